@@ -1,22 +1,22 @@
 //! Capsule against axis-aligned box.
 
-use super::{Between, Beyond, all_beyond};
+use super::{Between, all_beyond, meets_box};
 use crate::arithmetic::{Arithmetic, Embeds, Number, greatest, largest, three, two};
 use crate::query::Overlaps;
 use crate::query::orientation::{Vector, from};
-use crate::query::sphere::{Ball, Reach};
+use crate::query::sphere::{Ball, Beyond, Reach};
 use crate::robust::Predicate;
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, Capsule};
 
-impl<S: Scalar> Predicate<S> for Beyond<'_, S, Aabb<S>> {
+impl<S: Scalar> Predicate<S> for Beyond<'_, Capsule<S>, Aabb<S>> {
     type Answer = bool;
 
     #[inline]
     fn filter<N: Embeds<S>>(&self) -> Option<bool> {
         let (p, q, is_by_center) = self.shape.numbers();
         let [a, b] = self.ends();
-        let all = [a, b, p, q, [self.capsule.radius(); 3]];
+        let all = [a, b, p, q, [self.round.radius(); 3]];
         let [a, b, p, q, [r, ..]] = N::embed(&all)?;
         let reach = Reach::<N>::new(r, self.ball);
         // From each end to both extreme corners, and the extents.
@@ -80,12 +80,6 @@ pub(in crate::query) fn box_lies_beyond<N: Arithmetic>(
     }))
 }
 
-/// Whether the box meets the capsule, or its points nearer than the radius.
-#[inline(always)]
-pub(super) fn meets_aabb<S: Scalar>(capsule: &Capsule<S>, aabb: &Aabb<S>, ball: Ball) -> bool {
-    !S::evaluate_numeric(&Beyond { capsule, shape: aabb, ball }) || capsule.segment().overlaps(aabb)
-}
-
 impl<S: Scalar> Overlaps<Aabb<S>> for Capsule<S> {
     /// Do a capsule and an axis-aligned box have a point in common?
     ///
@@ -111,6 +105,6 @@ impl<S: Scalar> Overlaps<Aabb<S>> for Capsule<S> {
     /// ```
     #[inline]
     fn overlaps(&self, aabb: &Aabb<S>) -> bool {
-        meets_aabb(self, aabb, Ball::Closed)
+        meets_box(self, aabb, Ball::Closed)
     }
 }

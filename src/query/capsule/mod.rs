@@ -19,23 +19,15 @@ use self::triangle::meets_triangle;
 pub(super) use self::triangle::triangle_lies_beyond;
 use super::Overlaps;
 use super::orientation::{Vector, from};
-use super::sphere::{Ball, Errors, OneSide, Reach, lies_beyond};
+use super::sphere::{Ball, Beyond, Errors, OneSide, Reach, lies_beyond, meet};
 use crate::arithmetic::{Arithmetic, Embeds, Number, greatest, largest, three};
 use crate::robust::{Numeric, Predicate, Profile};
 use crate::scalar::Scalar;
 use crate::shape::{Capsule, Plane, Segment, Sphere, Vec3};
 
-/// The question whether the boundary of a shape lies farther from a capsule's segment than the
-/// capsule's radius.
-struct Beyond<'a, S, T> {
-    capsule: &'a Capsule<S>,
-    shape: &'a T,
-    ball: Ball,
-}
-
-impl<S: Scalar, T> Beyond<'_, S, T> {
+impl<S: Scalar, T> Beyond<'_, Capsule<S>, T> {
     fn ends(&self) -> [[S; 3]; 2] {
-        let (a, b) = self.capsule.ends();
+        let (a, b) = self.round.ends();
         [a.to_array(), b.to_array()]
     }
 }
@@ -124,29 +116,18 @@ impl<S: Scalar> Predicate<S> for Apart<'_, S> {
 
 impl<S: Scalar> Numeric<S> for Apart<'_, S> {}
 
-/// The question about a capsule's segment and a sphere.
-struct BeyondSphere<'a, S> {
-    capsule: &'a Capsule<S>,
-    sphere: &'a Sphere<S>,
-    ball: Ball,
-}
-
-impl<S: Scalar> Predicate<S> for BeyondSphere<'_, S> {
+impl<S: Scalar> Predicate<S> for Beyond<'_, Capsule<S>, Sphere<S>> {
     type Answer = bool;
     const PROFILE: Profile = Profile::AREAS;
 
     #[inline]
     fn filter<N: Embeds<S>>(&self) -> Option<bool> {
-        let Self { capsule, sphere, ball } = *self;
+        let Self { round: capsule, shape: sphere, ball } = *self;
         let radii = [capsule.radius(), sphere.radius(), S::ZERO];
         let center = sphere.center().to_array();
         lies_beyond::<S, N>(center, radii, &capsule.segment(), ball, |[r, s, _]| r + s)
     }
 }
-
-impl<S: Scalar> Numeric<S> for BeyondSphere<'_, S> {}
-
-impl<S, T> Numeric<S> for Beyond<'_, S, T> where Self: Predicate<S> {}
 
 // Whether each shape meets the capsule, or its points nearer than the radius.
 
@@ -161,8 +142,12 @@ fn meets_segment<S: Scalar>(
 }
 
 #[inline(always)]
-fn meets_sphere<S: Scalar>(capsule: &Capsule<S>, sphere: &Sphere<S>, ball: Ball) -> bool {
-    !S::evaluate_numeric(&BeyondSphere { capsule, sphere, ball })
+fn meets_box<'a, S: Scalar, T>(capsule: &'a Capsule<S>, shape: &'a T, ball: Ball) -> bool
+where
+    Beyond<'a, Capsule<S>, T>: Predicate<S, Answer = bool>,
+    Segment<S>: Overlaps<T>,
+{
+    meet(capsule, shape, ball) || capsule.segment().overlaps(shape)
 }
 
 #[inline(always)]
@@ -237,7 +222,7 @@ impl<S: Scalar> Overlaps<Sphere<S>> for Capsule<S> {
     /// ```
     #[inline]
     fn overlaps(&self, sphere: &Sphere<S>) -> bool {
-        meets_sphere(self, sphere, Ball::Closed)
+        meet(self, sphere, Ball::Closed)
     }
 }
 

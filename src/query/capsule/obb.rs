@@ -1,10 +1,10 @@
 //! Capsule against oriented box.
 
-use super::{Between, Beyond, all_beyond};
+use super::{Between, all_beyond, meets_box};
 use crate::arithmetic::{Arithmetic, Embeds, three, turn, two};
 use crate::query::Overlaps;
 use crate::query::orientation::from;
-use crate::query::sphere::{Ball, Corners, Reach, corners};
+use crate::query::sphere::{Ball, Beyond, Corners, Reach, corners};
 use crate::robust::{Predicate, Profile};
 use crate::scalar::Scalar;
 use crate::shape::{Capsule, Obb};
@@ -35,23 +35,17 @@ fn lies_beyond<M: Arithmetic>(corners: &Corners<M>, reach: &Reach<M>) -> Option<
     }))
 }
 
-impl<S: Scalar> Predicate<S> for Beyond<'_, S, Obb<S>> {
+impl<S: Scalar> Predicate<S> for Beyond<'_, Capsule<S>, Obb<S>> {
     type Answer = bool;
     // As with a sphere.
     const PROFILE: Profile = Profile::AREAS;
 
     #[inline]
     fn filter<N: Embeds<S>>(&self) -> Option<bool> {
-        let radius = self.capsule.radius();
+        let radius = self.round.radius();
         let (corners, reach) = corners::<S, N>(self.ends(), self.shape, radius, self.ball)?;
         lies_beyond(&corners, &reach)
     }
-}
-
-/// Whether the box meets the capsule, or its points nearer than the radius.
-#[inline(always)]
-pub(super) fn meets_obb<S: Scalar>(capsule: &Capsule<S>, obb: &Obb<S>, ball: Ball) -> bool {
-    !S::evaluate_numeric(&Beyond { capsule, shape: obb, ball }) || capsule.segment().overlaps(obb)
 }
 
 impl<S: Scalar> Overlaps<Obb<S>> for Capsule<S> {
@@ -79,6 +73,6 @@ impl<S: Scalar> Overlaps<Obb<S>> for Capsule<S> {
     /// ```
     #[inline]
     fn overlaps(&self, obb: &Obb<S>) -> bool {
-        meets_obb(self, obb, Ball::Closed)
+        meets_box(self, obb, Ball::Closed)
     }
 }

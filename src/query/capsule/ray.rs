@@ -9,13 +9,15 @@
 //!
 //! Multiplied out, these compare in products of six numbers.
 
-use super::{Beyond, all_beyond};
+use super::all_beyond;
 use crate::arithmetic::{
     Arithmetic, Embeds, Number, cross, dot, greatest, largest, once, three, two,
 };
 use crate::query::Overlaps;
 use crate::query::orientation::{Vector, from};
-use crate::query::sphere::{Ball, Errors, PRODUCT, Reach, SQUARES, Way, along, numbers, product};
+use crate::query::sphere::{
+    Ball, Beyond, Errors, PRODUCT, Reach, SQUARES, Way, along, meet, numbers, product,
+};
 use crate::robust::{Predicate, Profile, Uncertain};
 use crate::scalar::Scalar;
 use crate::shape::{Capsule, Ray};
@@ -119,7 +121,7 @@ fn lies_beyond<S, N: Embeds<S>>(way: &Way<N>, m: &Vector<N>, reach: &Reach<N>) -
     way.lies_beyond(m, reach)
 }
 
-impl<S: Scalar> Predicate<S> for Beyond<'_, S, Ray<S>> {
+impl<S: Scalar> Predicate<S> for Beyond<'_, Capsule<S>, Ray<S>> {
     type Answer = bool;
     // As with a sphere.
     const PROFILE: Profile = Profile::AREAS;
@@ -127,7 +129,7 @@ impl<S: Scalar> Predicate<S> for Beyond<'_, S, Ray<S>> {
     #[inline]
     fn filter<N: Embeds<S>>(&self) -> Option<bool> {
         let ([a, b], [o, d, range]) = (self.ends(), numbers(self.shape));
-        let all = [a, b, o, d, range, [self.capsule.radius(); 3]];
+        let all = [a, b, o, d, range, [self.round.radius(); 3]];
         let [a, b, o, d, range, [r, ..]] = N::embed(&all)?;
         let (m, e) = ([from::<N>(&a, &o), from::<N>(&b, &o)], from::<N>(&b, &a));
         let reach = Reach::<N>::new(r, self.ball);
@@ -164,12 +166,6 @@ impl<S: Scalar> Predicate<S> for Beyond<'_, S, Ray<S>> {
     }
 }
 
-/// Whether the ray meets the capsule, or its points nearer than the radius.
-#[inline(always)]
-pub(super) fn meets_ray<S: Scalar>(capsule: &Capsule<S>, ray: &Ray<S>, ball: Ball) -> bool {
-    !S::evaluate_numeric(&Beyond { capsule, shape: ray, ball })
-}
-
 impl<S: Scalar> Overlaps<Ray<S>> for Capsule<S> {
     /// Do a capsule and a ray have a point in common?
     ///
@@ -196,6 +192,6 @@ impl<S: Scalar> Overlaps<Ray<S>> for Capsule<S> {
     /// ```
     #[inline]
     fn overlaps(&self, ray: &Ray<S>) -> bool {
-        meets_ray(self, ray, Ball::Closed)
+        meet(self, ray, Ball::Closed)
     }
 }

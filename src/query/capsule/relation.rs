@@ -3,13 +3,10 @@
 //! As for a [sphere](crate::query::sphere): the points nearer to the segment than the radius are an
 //! open set. A capsule of radius zero is its segment, which is also a triangle without area.
 
-use super::aabb::meets_aabb;
-use super::obb::meets_obb;
-use super::ray::meets_ray;
-use super::{meets_plane, meets_segment, meets_sphere, meets_triangle};
+use super::{meets_box, meets_plane, meets_segment, meets_triangle};
 use crate::arithmetic::Each;
 use crate::query::relation::{Relate, Relation};
-use crate::query::sphere::of_ball;
+use crate::query::sphere::{meet, of_ball};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, Capsule, Obb, Plane, Ray, Segment, Sphere, Triangle, Vec3};
 
@@ -38,14 +35,14 @@ impl<S: Scalar> Relate<Segment<S>> for Capsule<S> {
 
 impl<S: Scalar> Relate<Aabb<S>> for Capsule<S> {
     fn relation(&self, aabb: &Aabb<S>) -> Relation {
-        let meets = |ball| meets_aabb(self, aabb, ball);
+        let meets = |ball| meets_box(self, aabb, ball);
         of_ball(self.radius() > S::ZERO, meets, || of_segment(self.ends(), aabb))
     }
 }
 
 impl<S: Scalar> Relate<Obb<S>> for Capsule<S> {
     fn relation(&self, obb: &Obb<S>) -> Relation {
-        let meets = |ball| meets_obb(self, obb, ball);
+        let meets = |ball| meets_box(self, obb, ball);
         of_ball(self.radius() > S::ZERO, meets, || of_segment(self.ends(), obb))
     }
 }
@@ -61,7 +58,7 @@ impl<S: Scalar> Relate<Self> for Capsule<S> {
 
 impl<S: Scalar> Relate<Sphere<S>> for Capsule<S> {
     fn relation(&self, sphere: &Sphere<S>) -> Relation {
-        let meets = |ball| meets_sphere(self, sphere, ball);
+        let meets = |ball| meet(self, sphere, ball);
         let has_radius = self.radius() > S::ZERO || sphere.radius() > S::ZERO;
         // Both are thin: the centre is a triangle without extent.
         let center = (sphere.center(), sphere.center());
@@ -82,7 +79,7 @@ impl<S: Scalar> Relate<Plane<S>> for Capsule<S> {
 
 impl<S: Scalar> Relate<Ray<S>> for Capsule<S> {
     fn relation(&self, ray: &Ray<S>) -> Relation {
-        let meets = |ball| meets_ray(self, ray, ball);
+        let meets = |ball| meet(self, ray, ball);
         of_ball(self.radius() > S::ZERO, meets, || of_segment_and_ray(self, ray))
     }
 }

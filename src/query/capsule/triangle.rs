@@ -6,13 +6,13 @@
 //! - If both lie inside of an edge, by n·(e × d) > 0, no point between the ends of that edge is nearest
 //!   to the segment, and the edge is not asked.
 
-use super::{Between, Beyond, all_beyond};
+use super::{Between, all_beyond};
 #[cfg(feature = "fixed")]
 use crate::arithmetic::Int16;
 use crate::arithmetic::{Arithmetic, Embeds, Number, greatest, pick, three, two};
 use crate::query::orientation::{Vector, from};
 use crate::query::segment_triangle::Passes;
-use crate::query::sphere::{Ball, Errors, Reach, around, largest_of, minors, volume};
+use crate::query::sphere::{Ball, Beyond, Errors, Reach, around, largest_of, meet, minors, volume};
 use crate::robust::{Predicate, Uncertain, certain_sign};
 use crate::scalar::Scalar;
 #[cfg(feature = "fixed")]
@@ -164,13 +164,13 @@ fn excludes_edge<N: Arithmetic>(
     Between::to_edge(to, edges, e, k).is_beyond_by(reach, sizes)
 }
 
-impl<S: Scalar> Predicate<S> for Beyond<'_, S, Triangle<S>> {
+impl<S: Scalar> Predicate<S> for Beyond<'_, Capsule<S>, Triangle<S>> {
     type Answer = bool;
 
     #[inline]
     fn filter<N: Embeds<S>>(&self) -> Option<bool> {
         let ([a, b], [p, q, r]) = (self.ends(), self.shape.points());
-        let [a, b, p, q, r, [radius, ..]] = N::embed(&[a, b, p, q, r, [self.capsule.radius(); 3]])?;
+        let [a, b, p, q, r, [radius, ..]] = N::embed(&[a, b, p, q, r, [self.round.radius(); 3]])?;
         let reach = Reach::<N>::new(radius, self.ball);
         // Vectors to the ends of the segment.
         let [to_a, edges] = around::<N>(&a, &[p, q, r]);
@@ -198,8 +198,7 @@ pub(super) fn meets_triangle<S: Scalar>(
     triangle: &Triangle<S>,
     ball: Ball,
 ) -> bool {
-    !S::evaluate_numeric(&Beyond { capsule, shape: triangle, ball })
-        || S::evaluate(&passes(capsule, triangle))
+    meet(capsule, triangle, ball) || S::evaluate(&passes(capsule, triangle))
 }
 
 impl<S: Scalar> Overlaps<Triangle<S>> for Capsule<S> {
@@ -252,7 +251,7 @@ where
     #[inline]
     fn overlaps(&self, capsule: &Near<Capsule<S>>) -> bool {
         let (capsule, shape) = (capsule.get(), self.get());
-        Beyond { capsule, shape, ball: Ball::Closed }.filter::<Int16>() != Some(true)
+        Beyond { round: capsule, shape, ball: Ball::Closed }.filter::<Int16>() != Some(true)
             || passes(capsule, shape).filter::<Int16>() == Some(true)
     }
 }

@@ -135,7 +135,7 @@ impl<N: Arithmetic> Reach<N> {
     }
 }
 
-impl<S: Scalar> Predicate<S> for Beyond<'_, S, Triangle<S>> {
+impl<S: Scalar> Predicate<S> for Beyond<'_, Sphere<S>, Triangle<S>> {
     type Answer = bool;
 
     #[inline]
@@ -194,6 +194,6 @@ where
     #[inline]
     fn overlaps(&self, sphere: &Near<Sphere<S>>) -> bool {
         let (sphere, shape) = (sphere.get(), self.get());
-        Beyond { sphere, shape, ball: Ball::Closed }.filter::<Int16>() != Some(true)
+        Beyond { round: sphere, shape, ball: Ball::Closed }.filter::<Int16>() != Some(true)
     }
 }

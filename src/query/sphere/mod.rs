@@ -31,24 +31,25 @@ use crate::robust::{Numeric, Predicate, Profile};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, Segment, Sphere, Vec3};
 
-/// The question whether a shape lies outside of the sphere.
-struct Beyond<'a, S, T> {
-    sphere: &'a Sphere<S>,
-    shape: &'a T,
-    ball: Ball,
+/// The question whether a shape lies outside of a sphere, or its boundary farther from a capsule's
+/// segment than the capsule's radius.
+pub(super) struct Beyond<'a, R, T> {
+    pub(super) round: &'a R,
+    pub(super) shape: &'a T,
+    pub(super) ball: Ball,
 }
 
-impl<S: Scalar, T> Beyond<'_, S, T> {
+impl<S: Scalar, T> Beyond<'_, Sphere<S>, T> {
     fn center(&self) -> [S; 3] {
-        self.sphere.center().to_array()
+        self.round.center().to_array()
     }
 
     fn radius(&self) -> [S; 3] {
-        [self.sphere.radius(); 3]
+        [self.round.radius(); 3]
     }
 }
 
-impl<S: Scalar> Predicate<S> for Beyond<'_, S, Segment<S>> {
+impl<S: Scalar> Predicate<S> for Beyond<'_, Sphere<S>, Segment<S>> {
     type Answer = bool;
     const PROFILE: Profile = Profile::AREAS;
 
@@ -81,7 +82,7 @@ pub(super) fn lies_beyond<S: Scalar, N: Embeds<S>>(
     }
 }
 
-impl<S: Scalar> Predicate<S> for Beyond<'_, S, Aabb<S>> {
+impl<S: Scalar> Predicate<S> for Beyond<'_, Sphere<S>, Aabb<S>> {
     type Answer = bool;
     const PROFILE: Profile = Profile::AREAS;
 
@@ -100,7 +101,7 @@ impl<S: Scalar> Predicate<S> for Beyond<'_, S, Aabb<S>> {
     }
 }
 
-impl<S: Scalar> Predicate<S> for Beyond<'_, S, Vec3<S>> {
+impl<S: Scalar> Predicate<S> for Beyond<'_, Sphere<S>, Vec3<S>> {
     type Answer = bool;
     const PROFILE: Profile = Profile::AREAS;
 
@@ -113,29 +114,29 @@ impl<S: Scalar> Predicate<S> for Beyond<'_, S, Vec3<S>> {
     }
 }
 
-impl<S: Scalar> Predicate<S> for Beyond<'_, S, Sphere<S>> {
+impl<S: Scalar> Predicate<S> for Beyond<'_, Sphere<S>, Sphere<S>> {
     type Answer = bool;
     const PROFILE: Profile = Profile::AREAS;
 
     #[inline]
     fn filter<N: Embeds<S>>(&self) -> Option<bool> {
         let (center, r) = (self.shape.center().to_array(), self.shape.radius());
-        let radii = [self.sphere.radius(), r, S::ZERO];
+        let radii = [self.round.radius(), r, S::ZERO];
         let [p, q, [r, s, _]] = N::embed(&[self.center(), center, radii])?;
         Reach::<N>::new(r + s, self.ball).excludes_if_in_range(&from::<N>(&p, &q), N::Length::ZERO)
     }
 }
 
-impl<S, T> Numeric<S> for Beyond<'_, S, T> where Self: Predicate<S> {}
+impl<S, R, T> Numeric<S> for Beyond<'_, R, T> where Self: Predicate<S> {}
 
-/// Whether the shape meets the sphere, or the open ball inside. On hosts `f64` answers for all
-/// scalars of up to 32 bits.
+/// Whether the shape, or for a capsule its boundary, meets the round one, or its points nearer than
+/// the radius. On hosts `f64` answers for all scalars of up to 32 bits.
 #[inline(always)]
-fn meet<'a, S: Scalar, T>(sphere: &'a Sphere<S>, shape: &'a T, ball: Ball) -> bool
+pub(super) fn meet<'a, S: Scalar, R, T>(round: &'a R, shape: &'a T, ball: Ball) -> bool
 where
-    Beyond<'a, S, T>: Predicate<S, Answer = bool>,
+    Beyond<'a, R, T>: Predicate<S, Answer = bool>,
 {
-    !S::evaluate_numeric(&Beyond { sphere, shape, ball })
+    !S::evaluate_numeric(&Beyond { round, shape, ball })
 }
 
 impl<S: Scalar> Overlaps<Segment<S>> for Sphere<S> {

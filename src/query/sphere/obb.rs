@@ -7,9 +7,9 @@
 //!
 //! A box with a half-extent of zero has no inside, and is asked for all faces.
 
-use super::Beyond;
 use super::error_bound::Errors;
 use super::kernel::{Ball, Reach, largest_of};
+use super::{Beyond, meet};
 use crate::arithmetic::{
     Arithmetic, Each, Embeds, Number, cross, dot, greatest, least, once, pick, three, turn,
 };
@@ -142,7 +142,7 @@ impl<M: Arithmetic> Corners<M> {
     }
 }
 
-impl<S: Scalar> Predicate<S> for Beyond<'_, S, Obb<S>> {
+impl<S: Scalar> Predicate<S> for Beyond<'_, Sphere<S>, Obb<S>> {
     type Answer = bool;
     // The products of an axis would not fit the integers for 18 bits.
     const PROFILE: Profile = Profile::AREAS;
@@ -150,8 +150,7 @@ impl<S: Scalar> Predicate<S> for Beyond<'_, S, Obb<S>> {
     #[inline]
     fn filter<N: Embeds<S>>(&self) -> Option<bool> {
         let points = [self.center(); 2];
-        let (corners, reach) =
-            corners::<S, N>(points, self.shape, self.sphere.radius(), self.ball)?;
+        let (corners, reach) = corners::<S, N>(points, self.shape, self.round.radius(), self.ball)?;
         if corners.is_apart(&reach) { Some(true) } else { corners.lies_beyond(0, &reach) }
     }
 }
@@ -185,6 +184,6 @@ impl<S: Scalar> Overlaps<Obb<S>> for Sphere<S> {
     /// ```
     #[inline]
     fn overlaps(&self, obb: &Obb<S>) -> bool {
-        super::meet(self, obb, Ball::Closed)
+        meet(self, obb, Ball::Closed)
     }
 }

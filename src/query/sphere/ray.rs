@@ -4,9 +4,9 @@
 //! line is |m × d|²/d·d. From the end at t it is |m − t·d|², and the centre lies before that end if
 //! (m − t·d)·d < 0. Multiplied out, these compare in products of up to four numbers.
 
-use super::Beyond;
 use super::error_bound::{Errors, PRODUCT};
 use super::kernel::{Ball, Reach, product, squared};
+use super::{Beyond, meet};
 use crate::arithmetic::{
     Arithmetic, Each, Embeds, Number, cross, dot, greatest, largest, once, three,
 };
@@ -92,7 +92,7 @@ impl<N: Arithmetic> Way<N> {
     }
 }
 
-impl<S: Scalar> Predicate<S> for Beyond<'_, S, Ray<S>> {
+impl<S: Scalar> Predicate<S> for Beyond<'_, Sphere<S>, Ray<S>> {
     type Answer = bool;
     // The volume of an end would not fit the integers for 18 bits.
     const PROFILE: Profile = Profile::AREAS;
@@ -160,6 +160,6 @@ impl<S: Scalar> Overlaps<Ray<S>> for Sphere<S> {
     /// ```
     #[inline]
     fn overlaps(&self, ray: &Ray<S>) -> bool {
-        super::meet(self, ray, Ball::Closed)
+        meet(self, ray, Ball::Closed)
     }
 }

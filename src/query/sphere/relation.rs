@@ -38,7 +38,7 @@ fn relation<'a, S: Scalar, T>(
     of_center: impl FnOnce(&Triangle<S>) -> Relation,
 ) -> Relation
 where
-    Beyond<'a, S, T>: Predicate<S, Answer = bool>,
+    Beyond<'a, Sphere<S>, T>: Predicate<S, Answer = bool>,
 {
     let at_center = || {
         let c = sphere.center();
