@@ -101,30 +101,18 @@ pub(crate) fn cos_sin_f64(turns: f64) -> (f64, f64) {
         let term = 1.0 / factorial as f64;
         if n % 4 < 2 { term } else { -term }
     }
-    const COSINE: [f64; 10] = [
-        term(0),
-        term(2),
-        term(4),
-        term(6),
-        term(8),
-        term(10),
-        term(12),
-        term(14),
-        term(16),
-        term(18),
-    ];
-    const SINE: [f64; 10] = [
-        term(1),
-        term(3),
-        term(5),
-        term(7),
-        term(9),
-        term(11),
-        term(13),
-        term(15),
-        term(17),
-        term(19),
-    ];
+    /// The coefficients of y^first, y^(first + 2) and so on.
+    const fn series(first: u32) -> [f64; 10] {
+        let (mut series, mut k) = ([0.0; 10], 0);
+        while k < 10 {
+            series[k] = term(2 * k as u32 + first);
+            k += 1;
+        }
+        series
+    }
+    const COSINE: [f64; 10] = series(0);
+    const SINE: [f64; 10] = series(1);
+
     // All of this is exact. Beyond 2^52 a float is an integer.
     let part = if turns.abs() < (1_i64 << 52) as f64 { turns - (turns as i64) as f64 } else { 0.0 };
     let quarters = (4.0 * part + if part < 0.0 { -0.5 } else { 0.5 }) as i32;

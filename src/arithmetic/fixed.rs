@@ -11,6 +11,7 @@ use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
 use super::big_int::BigInt;
 use super::ends::{enclosed, enclosed_on_line};
 use super::filtered::{Filtered, compare_quotient};
+use super::float::exp2;
 use super::in_float::{FirstFloat, InFloat};
 use super::integer::{Int8, Int16, Int32, Int64, IntNear, below};
 use super::nearest_whole::{nearest_of_all, nearest_whole, nearest_whole_of_row};
@@ -223,10 +224,10 @@ impl<S: InRaw<Raw = i32>> Embeds<S> for Filtered<f64> {
         convert(all, 0.0, |x| x.raw().into())
     }
     fn one() -> Option<f64> {
-        Some(unit(S::FRACTION_BITS as u32))
+        Some(unit::<S>())
     }
     fn times_one(d: f64) -> Option<f64> {
-        Some(d * unit(S::FRACTION_BITS as u32))
+        Some(d * unit::<S>())
     }
     #[inline(always)]
     fn quotient_of_lengths(_: f64, _: f64) -> S {
@@ -234,14 +235,14 @@ impl<S: InRaw<Raw = i32>> Embeds<S> for Filtered<f64> {
     }
     #[inline(always)]
     fn quotients(num: [f64; 3], den: f64, errors: [f64; 2]) -> ([S; 3], bool) {
-        let unit = unit(S::FRACTION_BITS as u32);
+        let unit = unit::<S>();
         let ([t, u, v], are_good) = nearest_whole(num, den, errors, unit, S::GREATEST as f64);
         let of = |bits: u64| S::from_raw(bits as i64);
         ([of(t), of(u), of(v)], are_good)
     }
     #[inline(always)]
     fn quotients_of_row(row: [f64; 4], errors: [f64; 2]) -> ([S; 3], bool) {
-        let unit = unit(S::FRACTION_BITS as u32);
+        let unit = unit::<S>();
         let ([t, u, v], are_good) = nearest_whole_of_row(row, errors, unit, S::GREATEST as f64);
         let of = |bits: u64| S::from_raw(bits as i64);
         ([of(t), of(u), of(v)], are_good)
@@ -272,13 +273,13 @@ impl<S: InRaw<Raw = i32>> Embeds<S> for Filtered<f64> {
     }
     #[inline(always)]
     fn compare_quotient(num: f64, den: f64, errors: [f64; 2], t: S) -> Option<Ordering> {
-        let t = f64::from(t.raw()) / unit(S::FRACTION_BITS as u32);
+        let t = f64::from(t.raw()) / unit::<S>();
         compare_quotient(num, den, errors, t, f64::INFINITY)
     }
 }
 
 /// The number of last places in one.
 #[inline(always)]
-fn unit(fraction_bits: u32) -> f64 {
-    f64::from_bits((1023 + u64::from(fraction_bits)) << 52)
+fn unit<S: InRaw>() -> f64 {
+    exp2(S::FRACTION_BITS)
 }

@@ -148,7 +148,7 @@ impl Float for f64 {
         let mut left = exponent.clamp(-2400, 2400);
         while left != 0 {
             let step = left.clamp(-1000, 1000);
-            x *= f64::from_bits(((1023 + step) as u64) << 52);
+            x *= exp2(step);
             left -= step;
         }
         x
@@ -163,6 +163,12 @@ pub(crate) fn cut(x: f64, unit: i32) -> i32 {
     // The leading one and the 30 bits below it.
     let mantissa = 1 << 30 | (bits >> (DIGITS - 30)) as i32 & ((1 << 30) - 1);
     mantissa.checked_shr((unit + 30 - exponent(x)) as u32).unwrap_or(0)
+}
+
+/// 2^n, a normal number.
+#[inline(always)]
+pub(crate) const fn exp2(n: i32) -> f64 {
+    f64::from_bits(((1023 + n) as u64) << 52)
 }
 
 /// The exponent of a float, as its bits have it.

@@ -48,7 +48,7 @@ pub(crate) use enclosed::{compare_products, order_of_products, sign_of, sum_of};
 pub(crate) use ends::{enclosed, lost_in_row};
 pub use filtered::Filtered;
 pub use float::Float;
-pub(crate) use float::{cut, exponent, quotient};
+pub(crate) use float::{cut, exp2, exponent, quotient};
 pub use full::{FullF32, FullF64};
 pub(crate) use in_float::{FirstFloat, InFloat};
 pub(crate) use index::{Each, pick, three, turn, two};

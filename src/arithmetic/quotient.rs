@@ -7,6 +7,7 @@ use core::cmp::Ordering;
 use core::num::NonZero;
 
 use super::big_int::BigInt;
+use super::float::exp2;
 use super::limbs::{Limbs, Wide, divided_by_places};
 use super::number::Number;
 use super::platform::REGISTERS_ARE_WIDE;
@@ -110,7 +111,7 @@ pub(super) const WHOLE: f64 = 6_755_399_441_055_744.0;
 /// true quotient.
 #[inline(always)]
 fn guess(num: i64, den: i64, shift: u32) -> Option<i64> {
-    let unit = f64::from_bits((1023 + u64::from(shift)) << 52);
+    let unit = exp2(shift as i32);
     let guess = num as f64 / den as f64 * unit;
     let whole = (guess + WHOLE).to_bits().wrapping_sub(WHOLE.to_bits()) as i64;
     (guess.abs() < 1_099_511_627_776.0).then_some(whole)

@@ -6,6 +6,7 @@
 //! translation.
 
 use super::double::Double;
+use super::float::exp2;
 use super::integer::full_product;
 use super::limbs::divided_by_places;
 use super::platform::{REGISTERS_ARE_WIDE, Slack};
@@ -56,7 +57,7 @@ impl Soft {
         if exponent < -1022 {
             return None;
         }
-        let unit = f64::from_bits(((1023 - exponent) as u64) << 52);
+        let unit = exp2(-exponent);
         let (low, error) = (low * unit + WHOLE, error * unit + LOST);
         let digits = |low: f64, is_most: bool| {
             let more = (low as u64).checked_sub(1)?.wrapping_sub(WHOLE as u64 - 1);

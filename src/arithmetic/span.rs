@@ -8,7 +8,7 @@
 use core::fmt::Debug;
 use core::ops::Div;
 
-use super::float::Float;
+use super::float::{Float, exp2};
 use super::quad::{OfFour, Quad};
 
 /// A float in which quotients of lengths are compared.
@@ -40,9 +40,8 @@ impl Span for f32 {
 }
 
 impl Span for f64 {
-    const SCALE: f64 = f64::from_bits((1023 + 512) << 52);
-    const INVERTIBLE: (f64, f64) =
-        (f64::from_bits((1023 - 400) << 52), f64::from_bits((1023 + 400) << 52));
+    const SCALE: f64 = exp2(512);
+    const INVERTIBLE: (f64, f64) = (exp2(-400), exp2(400));
     const GREATEST: f64 = f64::MAX;
 
     #[inline(always)]

@@ -12,7 +12,7 @@ use super::body::{Flat, Round, dot};
 use super::interior::InteriorEdges;
 use super::line::{Line, less, roundoffs};
 use super::settled::{Known, is_single};
-use crate::arithmetic::{Each, REGISTERS_ARE_WIDE, largest, root_of_machine, three};
+use crate::arithmetic::{Each, REGISTERS_ARE_WIDE, exp2, largest, root_of_machine, three};
 use crate::scalar::Scalar;
 use crate::shape::Vec3;
 
@@ -20,7 +20,7 @@ use crate::shape::Vec3;
 const LENGTH: u16 = 8;
 
 /// A depth that may be off by more, of itself, is computed to more digits.
-const CLEAR: f64 = f64::from_bits((1023 - 42) << 52);
+const CLEAR: f64 = exp2(-42);
 
 /// The contact of a sphere around the end of a line.
 fn known<S: Scalar>(line: &Line<S>, flat: Flat<'_, S>, to: &[S; 3], radius: f64) -> Known {

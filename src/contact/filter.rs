@@ -7,7 +7,7 @@ use super::axes::Axes;
 use super::body::Rough;
 use super::directions::Direction;
 use super::lanes::Lanes;
-use crate::arithmetic::{Float, Number, largest, pick, three, turn, two};
+use crate::arithmetic::{Float, Number, exp2, largest, pick, three, turn, two};
 use crate::scalar::Scalar;
 
 /// Directions in floats, side by side.
@@ -72,21 +72,21 @@ pub(super) trait Measure: Float + Div<Output = Self> {
 
 impl Measure for f64 {
     const ERROR: Self = ROUNDOFFS as Self * Self::ROUNDOFF;
-    const NOISE: Self = two_to(-54);
-    const SPREAD: Self = two_to(-20);
-    const LEAST_SPREAD: Self = two_to(-45);
-    const SIZES: (Self, Self) = (two_to(-100), two_to(100));
-    const PRODUCTS: (Self, Self) = (two_to(-150), two_to(100));
+    const NOISE: Self = exp2(-54);
+    const SPREAD: Self = exp2(-20);
+    const LEAST_SPREAD: Self = exp2(-45);
+    const SIZES: (Self, Self) = (exp2(-100), exp2(100));
+    const PRODUCTS: (Self, Self) = (exp2(-150), exp2(100));
     const INFINITY: Self = Self::INFINITY;
 }
 
 impl Measure for f32 {
     const ERROR: Self = ROUNDOFFS as Self * Self::ROUNDOFF;
-    const NOISE: Self = two_to(-22) as Self;
-    const SPREAD: Self = two_to(-8) as Self;
-    const LEAST_SPREAD: Self = two_to(-16) as Self;
-    const SIZES: (Self, Self) = (two_to(-20) as Self, two_to(20) as Self);
-    const PRODUCTS: (Self, Self) = (two_to(-20) as Self, two_to(20) as Self);
+    const NOISE: Self = exp2(-22) as Self;
+    const SPREAD: Self = exp2(-8) as Self;
+    const LEAST_SPREAD: Self = exp2(-16) as Self;
+    const SIZES: (Self, Self) = (exp2(-20) as Self, exp2(20) as Self);
+    const PRODUCTS: (Self, Self) = (exp2(-20) as Self, exp2(20) as Self);
     const INFINITY: Self = Self::INFINITY;
 }
 
@@ -98,10 +98,6 @@ const fn spreads<F: Copy>(of: [F; 2]) -> [[F; 4]; 16] {
         n += 1;
     }
     spreads
-}
-
-const fn two_to(n: i64) -> f64 {
-    f64::from_bits(((1023 + n) as u64) << 52)
 }
 
 /// x × y, and the greater of the two products in each coordinate, which bounds its error.

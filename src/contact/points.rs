@@ -10,7 +10,7 @@ use super::measures::{Directed, Way};
 use super::sides::Unit;
 use super::solid::{Solid, edge_of_box};
 use super::view::{Edge, MOST, Pair, Pairs, View, distance, minus};
-use crate::arithmetic::{Each, greatest, out_of_line, part, three, two};
+use crate::arithmetic::{Each, exp2, greatest, out_of_line, part, three, two};
 use crate::scalar::Scalar;
 use crate::shape::Vec3;
 
@@ -90,9 +90,9 @@ pub(super) fn features<S: Scalar>(bodies: &[Body<'_, S>; 2], way: &Way) -> Featu
 }
 
 /// Shapes outside of these sizes are scaled, so that fourth powers of lengths stay within range.
-const RANGE: (f64, f64) = (f64::from_bits((1023 - 400) << 52), f64::from_bits((1023 + 400) << 52));
-const UP: f64 = f64::from_bits((1023 + 800) << 52);
-const DOWN: f64 = f64::from_bits((1023 - 600) << 52);
+const RANGE: (f64, f64) = (exp2(-400), exp2(400));
+const UP: f64 = exp2(800);
+const DOWN: f64 = exp2(-600);
 
 /// The contact points of a translation.
 pub(super) fn points<S: Scalar>(

@@ -10,7 +10,7 @@ use super::directions::Direction;
 use super::filter::{Filter, Measured};
 use super::measures::{Directed, Measures, Way};
 use super::unit::unit;
-use crate::arithmetic::{Each, largest, pick, root_of_machine};
+use crate::arithmetic::{Each, exp2, largest, pick, root_of_machine};
 use crate::scalar::Scalar;
 use crate::shape::Vec3;
 
@@ -21,7 +21,7 @@ pub(super) const U: f64 = f64::EPSILON / 2.0;
 const ROUNDOFFS: u16 = 64;
 
 /// The greatest relative error of an overlap, and of a coordinate, with which a number is rounded.
-const MOST: f64 = f64::from_bits((1023 - 20) << 52);
+const MOST: f64 = exp2(-20);
 
 /// If P²·(1 + n)² exceeds this times a·a, the normal errs too much.
 pub(super) const SQUARES: u16 = 30;

@@ -2,10 +2,10 @@
 
 use super::body::{Rough, Vec64, cross, dot, flipped};
 use super::view::{Corner, Four, View};
-use crate::arithmetic::{Each, Quad, greatest, largest, pick, three, turn, two};
+use crate::arithmetic::{Each, Quad, exp2, greatest, largest, pick, three, turn, two};
 
 /// The squared sine of an angle far above all roundings.
-const CLEAR: f64 = f64::from_bits((1023 - 40) << 52);
+const CLEAR: f64 = exp2(-40);
 
 /// The bits of the two axes after axis i.
 fn after(i: u8, bits: u8) -> u8 {

@@ -3,19 +3,19 @@
 use super::body::{Vec64, flipped};
 use super::exact::length;
 use super::measures::unit_of;
-use crate::arithmetic::{Double, Each, Soft, compare, pick, three, turn};
+use crate::arithmetic::{Double, Each, Soft, compare, exp2, pick, three, turn};
 
 /// Units of 2^-80 in a coordinate in two words, of itself.
 const LOST: u16 = 16;
 
 /// The relative error of such a coordinate.
-const ROUNDED: f64 = LOST as f64 * f64::from_bits((1023 - 80) << 52);
+const ROUNDED: f64 = LOST as f64 * exp2(-80);
 
 /// Added to a number up to 2^25 and taken away, it leaves a multiple of 2^-26.
-const GRID: f64 = 1.5 * f64::from_bits((1023 + 26) << 52);
+const GRID: f64 = 1.5 * exp2(26);
 
 /// How much less the quotient of exact numbers may be, of itself.
-const LACK: f64 = 20.0 * f64::from_bits((1023 - 63) << 52);
+const LACK: f64 = 20.0 * exp2(-63);
 
 /// The unit vector along a direction that is [`settled`](super::settled::settled), if double words
 /// leave no doubt. It equals [`Lengths::unit`](super::measures::Lengths::unit).

@@ -27,7 +27,7 @@ use core::cmp::Ordering;
 use self::sealed::Cast;
 use super::grid::Grid;
 use super::node::{Cell, Node};
-use crate::arithmetic::{Each, OfFour, Quad, greatest, least, three};
+use crate::arithmetic::{Each, OfFour, Quad, exp2, greatest, least, three};
 use crate::query::{Hit, HitRules};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, Ray, Triangle};
@@ -251,8 +251,8 @@ impl GridRay {
         const POINTS: f64 = (1 << 16) as f64;
         // A longer or shorter direction is treated as meeting every box: 1/m and t/m might
         // overflow.
-        const LEAST_SCALE: f64 = f64::from_bits((1023 - 960) << 52);
-        const MOST_SCALE: f64 = f64::from_bits((1023 + 960) << 52);
+        const LEAST_SCALE: f64 = exp2(-960);
+        const MOST_SCALE: f64 = exp2(960);
 
         let scale = d.iter().fold(0.0, |m, d| greatest(m, d.abs()));
         let is_near = min.iter().chain(&max).all(|o| o.abs() <= FAR);

@@ -5,7 +5,7 @@
 //! 2001. Written from the paper. Other tests measure their speed against it, and it shows what
 //! rounding does.
 
-use super::vector::rounded;
+use super::vector::{cross, dot, minus, rounded};
 use crate::arithmetic::{Each, Number, Rounded, greatest, least};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Obb, Triangle, Vec3};
@@ -115,8 +115,6 @@ struct Published<S> {
 impl<S: Scalar> Published<S> {
     #[inline(always)]
     fn new(points: &[[S; 3]; 3], center: [Rounded<S>; 3], h: [Rounded<S>; 3]) -> Self {
-        let minus =
-            |a: [Rounded<S>; 3], b: [Rounded<S>; 3]| [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
         let from = |p: [S; 3]| minus(rounded(p), center);
         let v = [from(points[0]), from(points[1]), from(points[2])];
         Self { v, e: [minus(v[1], v[0]), minus(v[2], v[1]), minus(v[0], v[2])], h }
@@ -136,13 +134,7 @@ impl<S: Scalar> Published<S> {
     /// normal.
     #[inline(always)]
     fn normal(&self) -> bool {
-        let [e0, e1, _] = &self.e;
-        let n = [
-            e0[1] * e1[2] - e0[2] * e1[1],
-            e0[2] * e1[0] - e0[0] * e1[2],
-            e0[0] * e1[1] - e0[1] * e1[0],
-        ];
-        let dot = |x: [Rounded<S>; 3]| n[0] * x[0] + n[1] * x[1] + n[2] * x[2];
+        let n = cross(self.e[0], self.e[1]);
         let zero = Rounded::ZERO;
         // From vertex 0, which lies in the plane, to the corner against n or along n.
         let corner = |along: bool| {
@@ -152,7 +144,7 @@ impl<S: Scalar> Published<S> {
             };
             [from_vertex(0), from_vertex(1), from_vertex(2)]
         };
-        dot(corner(false)) > zero || dot(corner(true)) < zero
+        dot(n, corner(false)) > zero || dot(n, corner(true)) < zero
     }
 
     /// Bullet 3: nine cross products. Two of the three vertices project to the same point, so two

@@ -170,44 +170,27 @@ macro_rules! fixed_axes_are_orthonormal {
     ($fixed:ty, $axes:expr) => {{
         use $crate::scalar::axes::{KEPT_BITS, are_orthonormal_fixed};
 
-        const fn kept(bits: i64, shift: u32, most: i32) -> Option<i32> {
-            let x = bits >> shift;
-            if -(most as i64) <= x && x <= most as i64 { Some(x as i32) } else { None }
-        }
-        const fn row(x: Option<i32>, y: Option<i32>, z: Option<i32>) -> Option<[i32; 3]> {
-            match (x, y, z) {
-                (Some(x), Some(y), Some(z)) => Some([x, y, z]),
-                _ => None,
-            }
-        }
         let fraction_bits = <$fixed>::FRAC_NBITS;
         let shift = fraction_bits.saturating_sub(KEPT_BITS);
         let unit = fraction_bits - shift;
         let one = 1_i32 << unit;
         let most = one + (one >> 3);
-        let [[a, b, c], [d, e, f], [g, h, i]] = $axes;
-        let u = row(
-            kept(a.to_bits() as i64, shift, most),
-            kept(b.to_bits() as i64, shift, most),
-            kept(c.to_bits() as i64, shift, most),
-        );
-        let v = row(
-            kept(d.to_bits() as i64, shift, most),
-            kept(e.to_bits() as i64, shift, most),
-            kept(f.to_bits() as i64, shift, most),
-        );
-        let w = row(
-            kept(g.to_bits() as i64, shift, most),
-            kept(h.to_bits() as i64, shift, most),
-            kept(i.to_bits() as i64, shift, most),
-        );
+        let (axes, mut kept, mut are_short) = ($axes, [[0; 3]; 3], true);
+        let mut k = 0;
+        while k < 3 {
+            let mut i = 0;
+            while i < 3 {
+                let x = axes[k][i].to_bits() as i64 >> shift;
+                are_short &= -(most as i64) <= x && x <= most as i64;
+                kept[k][i] = x as i32;
+                i += 1;
+            }
+            k += 1;
+        }
         if <$fixed>::INT_NBITS == 0 {
             None
         } else {
-            Some(match (u, v, w) {
-                (Some(u), Some(v), Some(w)) => are_orthonormal_fixed(&[u, v, w], unit),
-                _ => false,
-            })
+            Some(are_short && are_orthonormal_fixed(&kept, unit))
         }
     }};
 }

@@ -3,7 +3,7 @@
 use super::{Backend, FloatFormat, Scalar};
 use crate::arithmetic::{
     Embeds, Float, FullF32, FullF64, Int64OfFloats, Parts, REGISTERS_ARE_WIDE, RoundedOps,
-    SMALL_CODE, Soft, Window, quotient,
+    SMALL_CODE, Soft, Window, exp2, quotient,
 };
 use crate::robust::{
     Clue, Numeric, Predicate, Sum, exact_stage, in_floats, in_quads, integer_stage, numeric_stage,
@@ -169,7 +169,7 @@ impl Backend for f64 {
     const FLOAT: Option<FloatFormat<f64>> = Some(FloatFormat {
         roundoff: <f64 as Float>::ROUNDOFF,
         least_normal: f64::MIN_POSITIVE,
-        invertible: (f64::from_bits((1023 - 1000) << 52), f64::from_bits((1023 + 1000) << 52)),
+        invertible: (exp2(-1000), exp2(1000)),
     });
     type SeptumWindow = Window;
     type SeptumFull = FullF64;

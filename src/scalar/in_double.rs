@@ -2,7 +2,7 @@
 
 use crate::arithmetic::whole;
 #[cfg(feature = "fixed")]
-use crate::arithmetic::{InRaw, REGISTERS_ARE_WIDE, Word, cut, exponent};
+use crate::arithmetic::{InRaw, REGISTERS_ARE_WIDE, Word, cut, exp2, exponent};
 
 /// Conversions between a scalar and `f64`: grids, contacts and times compute in it.
 pub(crate) trait InDouble: Copy {
@@ -89,12 +89,6 @@ macro_rules! float {
 float!(f32, u32);
 float!(f64, u64);
 
-/// 2^n, for n from −64 to 64.
-#[cfg(feature = "fixed")]
-const fn two_to(n: i32) -> f64 {
-    f64::from_bits(((1023 + n) as u64) << 52)
-}
-
 /// x·2^n, for n from −64 to 64: an addition to the exponent where a product of floats is a function.
 #[cfg(feature = "fixed")]
 #[inline]
@@ -103,7 +97,7 @@ fn times_two_to(x: f64, n: i32) -> f64 {
     if !REGISTERS_ARE_WIDE && (65..2047 - 64).contains(&exponent(x)) {
         return f64::from_bits(x.to_bits().wrapping_add((n as u64) << 52));
     }
-    x * two_to(n)
+    x * exp2(n)
 }
 
 /// x·2^`places` plus a half of its sign, rounded twice: to a float, and toward zero. In words, where a sum of
@@ -127,7 +121,7 @@ fn nearest_in_words(x: f64, places: i32) -> Option<i32> {
 #[cfg(feature = "fixed")]
 impl<S: InRaw> InDouble for S {
     const IS_IN_DOUBLE: bool = S::Raw::BITS <= 32;
-    const UNIT: f64 = two_to(-S::FRACTION_BITS);
+    const UNIT: f64 = exp2(-S::FRACTION_BITS);
 
     #[inline(always)]
     fn units(self) -> f64 {
@@ -187,7 +181,8 @@ impl<S: InRaw> InDouble for S {
 mod tests {
     use super::InDouble;
     #[cfg(feature = "fixed")]
-    use super::{nearest_in_words, two_to};
+    use super::nearest_in_words;
+    use crate::arithmetic::exp2;
     #[cfg(feature = "fixed")]
     use crate::random::Random;
 
@@ -201,13 +196,13 @@ mod tests {
             let bits = random.bits();
             let size = match n % 4 {
                 0 => (bits >> (34 + n % 29)) as f64 * 0.5,
-                1 => two_to((n % 64) as i32 - 32),
+                1 => exp2((n % 64) as i32 - 32),
                 _ => f64::from_bits((1023 - 8 + n % 39) << 52 | bits >> 12),
             };
             let near = size.to_bits().wrapping_add(bits % 5).wrapping_sub(2) & i64::MAX as u64;
             let x = f64::from_bits(near | bits >> 63 << 63);
             for places in [0, 4, 16, 32] {
-                let units = x * two_to(places);
+                let units = x * exp2(places);
                 let expected = (units + if units < 0.0 { -0.5 } else { 0.5 }) as i64;
                 if let Some(found) = nearest_in_words(x, places) {
                     assert_eq!(i64::from(found), expected, "{x:e} {places}");

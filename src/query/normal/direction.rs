@@ -5,12 +5,12 @@
 
 use core::cmp::Ordering;
 
-use crate::arithmetic::{Double, Embeds, FullF64, cross, pick, quotient, three};
+use crate::arithmetic::{Double, Embeds, FullF64, cross, exp2, pick, quotient, three};
 use crate::shape::Triangle;
 
 /// Coordinates that are zero or in this range multiply without overflow and without underflow; so
 /// do their differences, including the lowest bits of the products. Every `f32` is in the range.
-const RANGE: (f64, f64) = (f64::from_bits((1023 - 400) << 52), f64::from_bits((1023 + 250) << 52));
+const RANGE: (f64, f64) = (exp2(-400), exp2(250));
 
 /// A vector along the normal; `None` if the triangle is degenerate.
 ///
@@ -64,10 +64,10 @@ fn component([a0, b0, c0]: [f64; 3], [a1, b1, c1]: [f64; 3], enough: f64) -> Opt
 }
 
 /// The places that cancellation may take. `direction.g` proves it.
-const PLACES: u64 = 40;
+const PLACES: i32 = 40;
 
 /// The relative size that then remains.
-const LEFT: f64 = f64::from_bits((1023 - PLACES) << 52);
+const LEFT: f64 = exp2(-PLACES);
 
 /// The same by integers, for any input: the components over the greatest component.
 #[cold]

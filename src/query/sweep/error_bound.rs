@@ -37,7 +37,7 @@
 //! The gaps at the start, on axes without d, have the bounds of `triangle_aabb::error_bound`, whose
 //! sizes are within these.
 
-use crate::arithmetic::{Arithmetic, Number};
+use crate::arithmetic::{Arithmetic, Number, exp2};
 use crate::query::triangle_aabb::error_bound::{ErrorBound, error_bound};
 
 /// Roundoffs on a face, per g + h + |d|.
@@ -52,7 +52,7 @@ const AREA_SPEED: u16 = 10;
 const VOLUME_SPEED: u16 = 52;
 
 /// How far gap − t·speed in 106 digits may be from the truth, per R, R² or R³.
-pub(super) const LONG: f64 = f64::from_bits((1023 - 96) << 52);
+pub(super) const LONG: f64 = exp2(-96);
 
 /// How far computed axes may be from the truth at any time of the motion.
 #[derive(Clone, Copy)]

@@ -7,7 +7,7 @@ use super::error_bound::{LONG, at_start};
 use super::kernel::Course;
 use super::time::Closing;
 use super::{FirstContact, Given, Last, Passing};
-use crate::arithmetic::{Double, Each, Embeds, Filtered, Number, Soft, dot, turn};
+use crate::arithmetic::{Double, Each, Embeds, Filtered, Number, Soft, dot, exp2, turn};
 use crate::query::Axis;
 use crate::query::triangle_aabb::kernel::normal;
 use crate::robust::certain_sign;
@@ -15,7 +15,7 @@ use crate::scalar::Scalar;
 
 /// Sizes within which products of two volumes, and the remainders of products of lengths, do not
 /// overflow or underflow.
-const RANGE: (f64, f64) = (f64::from_bits((1023 - 150) << 52), f64::from_bits((1023 + 150) << 52));
+const RANGE: (f64, f64) = (exp2(-150), exp2(150));
 
 /// Below every gap, whatever its error.
 const NONE: f64 = f64::NEG_INFINITY;

@@ -4,6 +4,7 @@ use fixed::types::extra::{LeEqU8, LeEqU16, LeEqU32, LeEqU64};
 use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
 
 use super::Gridded;
+use crate::arithmetic::exp2;
 use crate::scalar::in_double::InDouble;
 
 /// The grid of a fixed-point type, in raw bits.
@@ -12,11 +13,6 @@ pub struct FixedSteps<W> {
     origin: W,
     /// The binary logarithm of the step.
     shift: u32,
-}
-
-/// 2^−n.
-const fn one_over_two_to(n: u32) -> f64 {
-    f64::from_bits((1023 - n as u64) << 52)
 }
 
 // $w is a signed word for sums of raw bits, $u the same without a sign, for differences.
@@ -85,7 +81,7 @@ macro_rules! fixed_point {
 
             #[inline]
             fn steps_per_unit(steps: &Self::SeptumSteps) -> f64 {
-                one_over_two_to(steps.shift)
+                exp2(-(steps.shift as i32))
             }
 
             #[inline]

@@ -3,7 +3,7 @@
 use fixed::types::{I2F30, I4F4, I8F8, I16F16};
 
 use super::*;
-use crate::arithmetic::Each;
+use crate::arithmetic::{Each, exp2};
 use crate::random::Random;
 use crate::shape::{Obb, Triangle, Vec3};
 
@@ -52,7 +52,7 @@ fn found<S: Scalar + InRaw>(question: &Disjoint<'_, S>) -> Option<f64> {
         most
     };
     // The computed numbers are the true ones over a power of two; the best-fitting power is taken.
-    let found = (0..160).map(|k| errors_over(f64::from_bits((1023 - 40 + k) << 52)));
+    let found = (0..160).map(|k| errors_over(exp2(k - 40)));
     let found = found.fold(f64::INFINITY, f64::min) / f64::from(framed.by);
     assert!(found <= 1.0, "{:?} {:?}", question.triangle, question.obb);
     Some(found)
