@@ -24,7 +24,6 @@ mod triangle_obb;
 mod triangle_triangle;
 
 mod aabb_aabb;
-mod aabb_obb;
 mod axis;
 mod capsule;
 mod crossing;

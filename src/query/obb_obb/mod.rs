@@ -1,4 +1,4 @@
-//! Oriented box against oriented box, and code shared with axis-aligned boxes.
+//! Oriented box against oriented and axis-aligned box.
 
 mod error_bound;
 mod exact;
@@ -13,6 +13,7 @@ use self::frames::InDoubt;
 use self::kernel::{Boxes, all_axes};
 use super::Overlaps;
 use super::obb_short;
+use super::orientation::Vector;
 use super::relation::{Asked, Relate, Relation};
 use super::triangle_obb::{has_second_look, operands, way};
 use crate::arithmetic::{
@@ -24,15 +25,15 @@ use crate::scalar::{FixedBackend, Scalar};
 use crate::shape::{Aabb, Obb};
 
 /// The question how a box and an oriented box lie to each other.
-pub(super) struct Lie<'a, S> {
-    pub(super) first: First<'a, S>,
-    pub(super) second: &'a Obb<S>,
-    pub(super) asked: Asked,
+struct Lie<'a, S> {
+    first: First<'a, S>,
+    second: &'a Obb<S>,
+    asked: Asked,
 }
 
 /// An axis-aligned or an oriented box.
 #[derive(Clone, Copy)]
-pub(super) enum First<'a, S> {
+enum First<'a, S> {
     Aabb(&'a Aabb<S>),
     Obb(&'a Obb<S>),
 }
@@ -48,6 +49,7 @@ impl<S: Scalar> Lie<'_, S> {
     #[inline(always)]
     fn by_these_axes<N: Embeds<S>>(&self, looks_twice: bool) -> Option<Relation> {
         let zero = N::Product::ZERO;
+        let three_operands = |axes: [Vector<N>; 3]| axes.each(operands::<N>);
         let [b, v0, v1, v2, k] = self.second.numbers();
         let boxes = match self.first {
             First::Obb(first) => {
@@ -56,9 +58,9 @@ impl<S: Scalar> Lie<'_, S> {
                     N::embed_with_one(&[v0, v1, v2, b, k, u0, u1, u2, a, h])?;
                 Boxes {
                     d: way::<N>(b, a),
-                    u: [operands::<N>(u0), operands::<N>(u1), operands::<N>(u2)],
+                    u: three_operands([u0, u1, u2]),
                     h: operands::<N>(h),
-                    v: [operands::<N>(v0), operands::<N>(v1), operands::<N>(v2)],
+                    v: three_operands([v0, v1, v2]),
                     k: operands::<N>(k),
                     one,
                 }
@@ -76,14 +78,7 @@ impl<S: Scalar> Lie<'_, S> {
                     )
                 };
                 let u = [[one, zero, zero], [zero, one, zero], [zero, zero, one]];
-                Boxes {
-                    d,
-                    u,
-                    h,
-                    v: [operands::<N>(v0), operands::<N>(v1), operands::<N>(v2)],
-                    k,
-                    one,
-                }
+                Boxes { d, u, h, v: three_operands([v0, v1, v2]), k, one }
             }
         };
         let most =
@@ -203,5 +198,51 @@ impl<S: Scalar> Overlaps<Obb<S>> for Obb<S> {
 impl<S: Scalar> Relate<Obb<S>> for Obb<S> {
     fn relation(&self, other: &Obb<S>) -> Relation {
         S::evaluate_numeric(&Lie { first: First::Obb(self), second: other, asked: Asked::Relation })
+    }
+}
+
+impl<S: Scalar> Overlaps<Obb<S>> for Aabb<S> {
+    /// Do an axis-aligned box and an oriented box have a point in common?
+    ///
+    /// *Geometry*: closed sets in one frame and one unit. The axis-aligned box is given by its
+    /// corners, or by centre and half-extents. The oriented box is the parallelepiped that its
+    /// numbers describe. Flat boxes, segments and points are boxes.
+    ///
+    /// *Contact*: touching counts as overlap.
+    ///
+    /// *Numerics*: exact for every valid input, in every scalar.
+    ///
+    /// *Range*, *Panics*, *Cost* and *Source*: as for [two oriented
+    /// boxes](Obb#impl-Overlaps<Obb<S>>-for-Obb<S>).
+    ///
+    /// ```
+    /// use septum::{Aabb, Obb};
+    ///
+    /// let cell = Aabb::from_min_max([0.0, 0.0, 0.0], [1.0, 1.0, 1.0])?;
+    /// let axes = [[0.8, 0.6, 0.0], [-0.6, 0.8, 0.0], [0.0, 0.0, 1.0]];
+    /// let tool = Obb::new([2.4, 0.5, 0.5], axes, [1.0, 1.0, 0.25])?;
+    /// assert!(tool.overlaps(&cell)); // a corner reaches to x = 1
+    /// # Ok::<(), septum::ShapeError>(())
+    /// ```
+    #[inline]
+    fn overlaps(&self, obb: &Obb<S>) -> bool {
+        S::evaluate_numeric(&Lie { first: First::Aabb(self), second: obb, asked: Asked::Overlaps })
+            != Relation::Disjoint
+    }
+
+    /// May an axis-aligned box and an oriented box have a point in common?
+    ///
+    /// *Numerics*, *Panics* and *Cost*: as for [two oriented
+    /// boxes](Obb#impl-Overlaps<Obb<S>>-for-Obb<S>).
+    #[inline]
+    fn may_overlap(&self, obb: &Obb<S>) -> bool {
+        let question = Lie { first: First::Aabb(self), second: obb, asked: Asked::MayOverlap };
+        S::evaluate_bounded(&question) != Some(Relation::Disjoint)
+    }
+}
+
+impl<S: Scalar> Relate<Obb<S>> for Aabb<S> {
+    fn relation(&self, obb: &Obb<S>) -> Relation {
+        S::evaluate_numeric(&Lie { first: First::Aabb(self), second: obb, asked: Asked::Relation })
     }
 }
