@@ -19,6 +19,12 @@ pub(crate) trait InFloat<F>: Copy {
     fn in_float(self) -> F;
 }
 
+/// The coordinates, to the nearest.
+#[inline(always)]
+pub(crate) fn three_in_float<S: InFloat<F>, F>([x, y, z]: [S; 3]) -> [F; 3] {
+    [x.in_float(), y.in_float(), z.in_float()]
+}
+
 /// The float that is asked first, four at once, in a query that has a kernel for that.
 pub(crate) trait FirstFloat:
     InFloat<<Self as FirstFloat>::SeptumFirst> + InFloat<<Self as FirstFloat>::SeptumSecond>

@@ -1,4 +1,6 @@
-//! The three coordinate axes by number.
+//! The three coordinate axes by number, and vectors of any numbers.
+
+use core::ops::{Add, Mul, Sub};
 
 /// Coordinate axis `i` and the next two in cyclic order; `i` is at most 2. A remainder is avoided,
 /// because a small core divides by calling a function, and because indices are visibly in bounds
@@ -76,4 +78,25 @@ pub(crate) fn pick<T>(x: &[T; 3], i: usize) -> &T {
         1 => &x[1],
         _ => &x[2],
     }
+}
+
+/// a − b.
+#[inline(always)]
+pub(crate) fn minus3<T: Copy + Sub<Output = T>>(a: &[T; 3], b: &[T; 3]) -> [T; 3] {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+/// a × b.
+#[inline(always)]
+pub(crate) fn cross3<T>(a: &[T; 3], b: &[T; 3]) -> [T; 3]
+where
+    T: Copy + Mul<Output = T> + Sub<Output = T>,
+{
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+/// a·b.
+#[inline(always)]
+pub(crate) fn dot3<T: Copy + Mul<Output = T> + Add<Output = T>>(a: &[T; 3], b: &[T; 3]) -> T {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }

@@ -50,8 +50,8 @@ pub use filtered::Filtered;
 pub use float::Float;
 pub(crate) use float::{cut, exp2, exponent, quotient};
 pub use full::{FullF32, FullF64};
-pub(crate) use in_float::{FirstFloat, InFloat};
-pub(crate) use index::{Each, pick, three, turn, two};
+pub(crate) use in_float::{FirstFloat, InFloat, three_in_float};
+pub(crate) use index::{Each, cross3, dot3, minus3, pick, three, turn, two};
 #[cfg(feature = "fixed")]
 pub(crate) use integer::Int64;
 #[cfg(feature = "fixed")]

@@ -9,8 +9,8 @@ use super::known::ones;
 use super::measures::{Directed, Way};
 use super::sides::Unit;
 use super::solid::{Solid, edge_of_box};
-use super::view::{Edge, MOST, Pair, Pairs, View, distance, minus};
-use crate::arithmetic::{Each, exp2, greatest, out_of_line, part, three, two};
+use super::view::{Edge, MOST, Pair, Pairs, View, distance};
+use crate::arithmetic::{Each, exp2, greatest, minus3, out_of_line, part, three, two};
 use crate::scalar::Scalar;
 use crate::shape::Vec3;
 
@@ -216,7 +216,7 @@ fn by_any_faces(view: &View, [shape, other]: [&Solid<'_>; 2], outward: &Vec64, f
         // The coordinates overflow f64.
         let lowest = |shape| Face::new(view, shape, 0).lowest(outward);
         let ((below, first), (at, second)) = (lowest(shape), lowest(other));
-        let depth = dot(&minus(&below, &at), outward);
+        let depth = dot(&minus3(&below, &at), outward);
         if let Some(parts) = found.add(Pair { at: [below, at], depth }, 0.0) {
             *parts = [first, second].each(Part::Vertex);
         }
@@ -259,7 +259,7 @@ fn by_edges(
             let [x, y] = edge.meet(&other, edge.sides(&other));
             let apart = distance(&x, &y);
             if apart <= nearest {
-                let depth = greatest(dot(&minus(&y.at, &x.at), normal), 0.0);
+                let depth = greatest(dot(&minus3(&y.at, &x.at), normal), 0.0);
                 let parts = [Part::Edge(edge.number), Part::Edge(other.number)];
                 (found.pairs[0], found.parts[0]) = (Pair { at: [x.at, y.at], depth }, parts);
                 (found.count, nearest) = (1, apart);

@@ -4,8 +4,8 @@
 use super::body::Vec64;
 use super::faces::{CORNERS, Face};
 use super::known::{Known, next, parts, transposed, within};
-use super::view::{Four, View, flat, minus};
-use crate::arithmetic::{Each, Quad, three, two};
+use super::view::{Four, View, flat};
+use crate::arithmetic::{Each, Quad, minus3, three, two};
 
 /// All corners, as bits.
 const ALL: u32 = (1 << CORNERS) - 1;
@@ -131,7 +131,7 @@ fn points(view: &View, from: &Face, to: &[Four; 2]) -> (u32, [[f64; CORNERS]; 3]
     } else {
         s.is_at_most(one) & t.is_at_most(one)
     };
-    let [e, f] = [minus(&a.at, &base.at), minus(&b.at, &base.at)];
+    let [e, f] = [minus3(&a.at, &base.at), minus3(&b.at, &base.at)];
     let at = three(|i| splat(base.at[i]) + s * splat(e[i]) + t * splat(f[i]));
     let flats = view.flats(at);
     let [x, y] = two(|k| flats[k] - to[k]);

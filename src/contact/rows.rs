@@ -6,7 +6,9 @@
 
 use super::body::Rough;
 use super::directions::Apart;
-use crate::arithmetic::{Each, Float, OfFour, Quad, THREE, greatest, least, three, two};
+use crate::arithmetic::{
+    Each, Float, OfFour, Quad, THREE, cross3, dot3, greatest, least, three, two,
+};
 
 type Row = <f32 as OfFour>::Quad;
 
@@ -27,16 +29,6 @@ const SIZES: (f32, f32) = (1.0 / (1 << 20) as f32, (1 << 20) as f32);
 /// x, y and z of three vectors.
 type Vectors = [Row; 3];
 
-#[inline(always)]
-fn cross(a: &Vectors, b: &Vectors) -> Vectors {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-#[inline(always)]
-fn dot(a: &Vectors, b: &Vectors) -> Row {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
 /// One vector three times.
 #[inline(always)]
 fn same(x: [f32; 3]) -> Vectors {
@@ -53,7 +45,7 @@ fn only(x: &Vectors, n: usize) -> Vectors {
 #[inline(always)]
 fn normals(axes: &Vectors) -> Vectors {
     let next = axes.each(Quad::turned);
-    cross(&next, &next.each(Quad::turned))
+    cross3(&next, &next.each(Quad::turned))
 }
 
 /// The greatest of the first three lanes.
@@ -86,9 +78,9 @@ impl Search {
     fn take(&mut self, group: usize, directions: &Vectors, reach: Row) {
         let bits = |lanes: u32| (lanes & THREE) as u16;
         let (zero, one, error) = (Row::splat(0.0), Row::splat(1.0), self.error);
-        let way = dot(directions, &self.d);
+        let way = dot3(directions, &self.d);
         let overlap = reach - way.magnitude();
-        let square = dot(directions, directions);
+        let square = dot3(directions, directions);
         let inverse = one / square;
         let spread = (self.of_square * inverse).least(Row::splat(MOST_SPREAD));
         let (low, high) = ((overlap - error).greatest(zero), overlap + error);
@@ -152,15 +144,15 @@ pub(super) fn wanted(needed: u16, shapes: &[Rough; 2]) -> Result<[u16; 2], Apart
     };
     let (m, n) = (normals(&u), normals(&v));
     // Rows of products: of normals with the axes of the other box.
-    let of_second = three(|i| dot(&only(&m, i), &v).magnitude());
-    let of_first = three(|i| dot(&only(&u, i), &n).magnitude());
+    let of_second = three(|i| dot3(&only(&m, i), &v).magnitude());
+    let of_first = three(|i| dot3(&only(&u, i), &n).magnitude());
     let [a, b, c] = of_second.each(Quad::to_array);
     let columns = three(|j| Row::of_three([a[j], b[j], c[j]]));
     let times = |x: f32, row: Row| Row::splat(x) * row;
-    let reach = Row::of_three(h) * dot(&m, &u).magnitude()
+    let reach = Row::of_three(h) * dot3(&m, &u).magnitude()
         + (times(k[0], columns[0]) + times(k[1], columns[1]) + times(k[2], columns[2]));
     search.take(0, &m, reach);
-    let reach = Row::of_three(k) * dot(&n, &v).magnitude()
+    let reach = Row::of_three(k) * dot3(&n, &v).magnitude()
         + (times(h[0], of_first[0]) + times(h[1], of_first[1]) + times(h[2], of_first[2]));
     search.take(1, &n, reach);
     let next = Row::of_three(k).turned();
@@ -169,7 +161,7 @@ pub(super) fn wanted(needed: u16, shapes: &[Rough; 2]) -> Result<[u16; 2], Apart
         let own = of_first[i].turned();
         let reach = (times(h[j], of_second[l]) + times(h[l], of_second[j]))
             + (next * own.turned() + next.turned() * own);
-        search.take(2 + i, &cross(&only(&u, i), &v), reach);
+        search.take(2 + i, &cross3(&only(&u, i), &v), reach);
     }
     let Search { lows, ways, bound, unknown, apart, .. } = search;
     if apart & !unknown != 0 {

@@ -7,7 +7,8 @@
 //! on one of two sides. The bounds of `triangle_aabb` hold for either.
 
 use crate::arithmetic::{
-    Each, Filtered, FirstFloat, Float, InFloat, cross, dot, greatest, two_difference,
+    Each, Filtered, FirstFloat, Float, InFloat, cross, dot, greatest, minus3, three_in_float,
+    two_difference,
 };
 use crate::query::{bound_of_size, range};
 
@@ -61,9 +62,9 @@ impl<F: Float> Gaps<F> {
 impl<F: Float> TriangleAxes<F> {
     #[inline(always)]
     pub(super) fn new<S: InFloat<F>>([a, b, c]: Points<S>) -> Self {
-        let points = &[in_floats(a), in_floats(b), in_floats(c)];
+        let points = &[three_in_float(a), three_in_float(b), three_in_float(c)];
         let [a, b, c] = points;
-        let edges = [minus(b, a), minus(c, b), minus(a, c)];
+        let edges = [minus3(b, a), minus3(c, b), minus3(a, c)];
         let normal = cross::<Filtered<F>>(&edges[0], &edges[1]);
         let (x, y, z) = (range(points, 0), range(points, 1), range(points, 2));
         let (low, high) = ([x.0, y.0, z.0], [x.1, y.1, z.1]);
@@ -150,7 +151,7 @@ impl<F: Float> TriangleAxes<F> {
     where
         S: InFloat<F>,
     {
-        let (min, max) = (in_floats(min), in_floats(max));
+        let (min, max) = (three_in_float(min), three_in_float(max));
         let gap = |i: usize| greatest(self.low[i] - max[i], min[i] - self.high[i]);
         let face = greatest(greatest(gap(0), gap(1)), gap(2)) > F::ZERO;
         // Not v − (min + max)/2: rounding the sum errs by the distance from the origin, rounding
@@ -170,14 +171,14 @@ impl<F: Float> TriangleAxes<F> {
     where
         S: InFloat<F>,
     {
-        let (center, half) = (in_floats(center), in_floats(half));
+        let (center, half) = (three_in_float(center), three_in_float(half));
         // A computed gap of zero may be rounded. The sign of any other is right, because rounding
         // is monotonic.
         let gap = |i: usize| greatest(self.low[i] - center[i], center[i] - self.high[i]) - half[i];
         let gap = greatest(greatest(gap(0), gap(1)), gap(2));
         let (face, no_face) = (gap > F::ZERO, gap < F::ZERO);
         let (errors, is_known) = self.errors(&half);
-        let gaps = self.gaps(&minus(&self.origin, &center), &half, errors);
+        let gaps = self.gaps(&minus3(&self.origin, &center), &half, errors);
         let (is_apart, is_certain) = gaps.verdict(face, no_face, is_known);
         (is_apart, is_certain & self.are_held & are_held::<S, F>(&[center, half]))
     }
@@ -195,21 +196,11 @@ fn are_held<S: InFloat<F>, F: Float>(points: &[[F; 3]]) -> bool {
     are_held
 }
 
-#[inline(always)]
-fn minus<F: Float>(a: &[F; 3], b: &[F; 3]) -> [F; 3] {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
-}
-
-#[inline(always)]
-fn in_floats<S: InFloat<F>, F>([x, y, z]: [S; 3]) -> [F; 3] {
-    [x.in_float(), y.in_float(), z.in_float()]
-}
-
 /// Whether lanes are in the first float of the scalar, which holds these points, and not in the second.
 #[inline(always)]
 pub(super) fn is_for_first<S: FirstFloat>(points: &[[S; 3]]) -> bool {
     size_of::<S::SeptumFirst>() == size_of::<S::SeptumSecond>()
-        || points.iter().all(|p| are_held::<S, S::SeptumFirst>(&[in_floats(*p)]))
+        || points.iter().all(|p| are_held::<S, S::SeptumFirst>(&[three_in_float(*p)]))
 }
 
 /// A triangle against boxes of one size, by their centres.
@@ -228,7 +219,7 @@ impl<F: Float> OfOneSize<F> {
     /// `None` if the error bounds of floats do not apply.
     #[inline(always)]
     pub(super) fn new<S: InFloat<F>>(points: [[S; 3]; 3], half: [S; 3]) -> Option<Self> {
-        let (axes, half) = (TriangleAxes::new(points), in_floats(half));
+        let (axes, half) = (TriangleAxes::new(points), three_in_float(half));
         let (errors, is_known) = axes.errors(&half);
         if !is_known | !axes.are_held | !are_held::<S, F>(&[half]) {
             return None;
@@ -255,11 +246,11 @@ impl<F: Float> OfOneSize<F> {
     /// certain.
     #[inline(always)]
     pub(super) fn apart<S: InFloat<F>>(&self, center: [S; 3]) -> (bool, bool) {
-        let center = in_floats(center);
+        let center = three_in_float(center);
         let [low, high] = &self.reach;
         let gap = |i: usize| greatest(low[i] - center[i], center[i] - high[i]);
         let gap = greatest(greatest(gap(0), gap(1)), gap(2));
-        let v = minus(&self.axes.origin, &center);
+        let v = minus3(&self.axes.origin, &center);
         let gaps = Gaps {
             edges: self.axes.edges(&v, |k, i| self.radii[k][i]),
             plane: dot::<Filtered<F>>(&self.axes.normal, &v).magnitude() - self.plane_radius,

@@ -14,7 +14,7 @@
 //! `from_origin.g` proves these two, the last roundings included. Squares and their sums, which are
 //! not negative, err by 7 roundoffs of themselves. Underflow is below [`Number::UNDERFLOW`].
 
-use crate::arithmetic::{Number, greatest, largest, least, three};
+use crate::arithmetic::{Number, dot3, greatest, largest, least, three};
 
 /// Roundoffs of Q·R in the lower bound.
 const BEYOND: u16 = 56;
@@ -25,10 +25,6 @@ const SQUARES: u16 = 8;
 
 type Vector = [f64; 3];
 
-fn dot(a: &Vector, b: &Vector) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
 /// A lower bound of the squared distance, by the bounding box.
 #[inline(always)]
 pub(super) fn beyond_box([a, b, c]: &[Vector; 3]) -> f64 {
@@ -37,7 +33,7 @@ pub(super) fn beyond_box([a, b, c]: &[Vector; 3]) -> f64 {
         let high = greatest(greatest(a[i], b[i]), c[i]);
         greatest(greatest(low, -high), 0.0)
     });
-    let square = dot(&gap, &gap);
+    let square = dot3(&gap, &gap);
     square - square.error(SQUARES) - f64::UNDERFLOW
 }
 
@@ -48,8 +44,8 @@ pub(super) fn enclosing([a, b, c]: &[Vector; 3]) -> [f64; 2] {
     let q = three(|i| u * a[i] + v * b[i] + w * c[i]);
     let size = greatest(greatest(largest(a), largest(b)), largest(c));
     let sum = q[0].abs() + q[1].abs() + q[2].abs();
-    let square = dot(&q, &q);
-    let along = least(least(dot(&q, a), dot(&q, b)), dot(&q, c));
+    let square = dot3(&q, &q);
+    let along = least(least(dot3(&q, a), dot3(&q, b)), dot3(&q, c));
     let low = along + along - square - (largest(&q) * size).error(BEYOND) - f64::UNDERFLOW;
     let off = ((u + v + w) - 1.0).abs() * size + size.error(AT) + f64::UNDERFLOW;
     let high = square + off * (sum + sum + 3.0 * off);
@@ -73,11 +69,11 @@ fn weight(x: f64, most: f64) -> f64 {
 #[inline(always)]
 fn weights(a: &Vector, b: &Vector, c: &Vector) -> Vector {
     let (e, f) = (three(|i| b[i] - a[i]), three(|i| c[i] - a[i]));
-    let (ea, fa) = (-dot(&e, a), -dot(&f, a));
+    let (ea, fa) = (-dot3(&e, a), -dot3(&f, a));
     if ea <= 0.0 && fa <= 0.0 {
         return [1.0, 0.0, 0.0];
     }
-    let (eb, fb) = (-dot(&e, b), -dot(&f, b));
+    let (eb, fb) = (-dot3(&e, b), -dot3(&f, b));
     if eb >= 0.0 && fb <= eb {
         return [0.0, 1.0, 0.0];
     }
@@ -86,7 +82,7 @@ fn weights(a: &Vector, b: &Vector, c: &Vector) -> Vector {
         let t = weight(ea / (ea - eb), 1.0);
         return [1.0 - t, t, 0.0];
     }
-    let (ec, fc) = (-dot(&e, c), -dot(&f, c));
+    let (ec, fc) = (-dot3(&e, c), -dot3(&f, c));
     if fc >= 0.0 && ec <= fc {
         return [0.0, 0.0, 1.0];
     }

@@ -2,7 +2,7 @@
 //! another vector comes out for all three at once. The operations are those of
 //! [`cross`](super::triangle_obb::cross) and [`dot`](super::triangle_obb::dot), in the same order.
 
-use crate::arithmetic::{Each, Float, InFloat, Number, Quad, greatest};
+use crate::arithmetic::{Each, Float, InFloat, Number, Quad, greatest, three_in_float};
 use crate::scalar::Scalar;
 use crate::shape::Obb;
 
@@ -88,22 +88,17 @@ impl<F: Float> ObbInFloats<F> {
     pub(super) fn new<S: Scalar + InFloat<F>>(obb: &Obb<S>) -> Self {
         let [center, u, v, w, half] = obb.numbers();
         Self {
-            center: in_floats(center),
+            center: three_in_float(center),
             axes: [in_units::<S, F>(u), in_units::<S, F>(v), in_units::<S, F>(w)],
-            half: in_floats(half),
+            half: three_in_float(half),
         }
     }
-}
-
-#[inline(always)]
-pub(super) fn in_floats<S: InFloat<F>, F: Float>([x, y, z]: [S; 3]) -> [F; 3] {
-    [x.in_float(), y.in_float(), z.in_float()]
 }
 
 /// A vector in units of one.
 #[inline(always)]
 pub(super) fn in_units<S: InFloat<F>, F: Float>(x: [S; 3]) -> [F; 3] {
-    let [x, y, z] = in_floats(x);
+    let [x, y, z] = three_in_float(x);
     if S::PLACE > F::ZERO { [x * S::PLACE, y * S::PLACE, z * S::PLACE] } else { [x, y, z] }
 }
 

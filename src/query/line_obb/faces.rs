@@ -14,9 +14,8 @@ use core::ops::Mul;
 use super::error_bound::{ErrorBound, error_bound, error_of_volume};
 use super::kernel::Operands;
 use super::{Disjoint, Line, in_window};
-use crate::arithmetic::{Embeds, Number, pick, three, turn};
+use crate::arithmetic::{Embeds, Number, cross3, dot3, pick, three, turn};
 use crate::query::crossing::{Crossing, Entries, crossings};
-use crate::query::triangle_obb::{cross, dot};
 use crate::robust::{Predicate, Uncertain};
 use crate::scalar::Scalar;
 use crate::shape::{Obb, Ray};
@@ -121,10 +120,10 @@ impl<'a, P: Number + Mul<Output = P>> Computed<'a, P> {
     #[inline(always)]
     fn new(s: &'a Operands<P>, error: &'a ErrorBound<P>, error_of_volume: P) -> Option<Self> {
         let Operands { m, d, u, .. } = s;
-        let w = [cross(&u[1], &u[2]), cross(&u[2], &u[0]), cross(&u[0], &u[1])];
-        let (along, volume) = (three(|i| dot(&w[i], d)), dot(&u[0], &w[0]));
+        let w = [cross3(&u[1], &u[2]), cross3(&u[2], &u[0]), cross3(&u[0], &u[1])];
+        let (along, volume) = (three(|i| dot3(&w[i], d)), dot3(&u[0], &w[0]));
         let has_sign = Uncertain::above(volume.magnitude(), error_of_volume).verdict()?;
-        has_sign.then_some(Self { s, error, across: cross(m, d), along, w, volume })
+        has_sign.then_some(Self { s, error, across: cross3(m, d), along, w, volume })
     }
 
     /// Whether w_i·d is a sum of products with zero.
@@ -156,7 +155,7 @@ impl<P: Number + Mul<Output = P>> Signs for Computed<'_, P> {
     fn is_line_above(&self, k: usize, [minus, of_j, of_i]: [bool; 3]) -> Option<bool> {
         let Self { s: Operands { u, h, one, .. }, error, across, along, .. } = self;
         let (k, i, j) = turn(k);
-        let beside = signed(dot(across, pick(u, k)) * *one, minus);
+        let beside = signed(dot3(across, pick(u, k)) * *one, minus);
         let reach = |i: usize, j: usize, minus: bool| signed(*pick(h, i) * *pick(along, j), minus);
         Uncertain::above(beside + (reach(i, j, of_j) + reach(j, i, of_i)), error.line).verdict()
     }
@@ -164,7 +163,7 @@ impl<P: Number + Mul<Output = P>> Signs for Computed<'_, P> {
     fn is_face_above(&self, i: usize, is_last: bool, minus: [bool; 2]) -> Option<Option<bool>> {
         let Self { s: Operands { m, ends: [from, to], h, one, .. }, error, along, w, .. } = self;
         let t = if is_last { to } else { from }.as_ref()?;
-        let at = dot(pick(w, i), m) * *one + *pick(along, i) * *t;
+        let at = dot3(pick(w, i), m) * *one + *pick(along, i) * *t;
         let at = signed(at, minus[0]) + signed(*pick(h, i) * self.volume, minus[1]);
         Some(Uncertain::above(at, error.face).verdict())
     }

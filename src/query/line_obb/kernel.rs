@@ -21,8 +21,8 @@
 use core::ops::Mul;
 
 use super::error_bound::{ErrorBound, Sizes};
-use crate::arithmetic::{Number, greatest, largest, three, turn};
-use crate::query::triangle_obb::{cross, dot, lie_along_one_axis};
+use crate::arithmetic::{Number, cross3, dot3, greatest, largest, three, turn};
+use crate::query::triangle_obb::lie_along_one_axis;
 use crate::robust::Uncertain;
 
 /// A part of a line and a parallelepiped as operands of products: the vector from the box's centre
@@ -61,15 +61,15 @@ pub(super) fn any_axis<P: Number + Mul<Output = P>>(
     looks_twice: bool,
 ) -> Uncertain {
     let Operands { m, d, ends: [from, to], u, h, one } = s;
-    let w = [cross(&u[1], &u[2]), cross(&u[2], &u[0]), cross(&u[0], &u[1])];
-    let along = [dot(&w[0], d), dot(&w[1], d), dot(&w[2], d)];
+    let w = [cross3(&u[1], &u[2]), cross3(&u[2], &u[0]), cross3(&u[0], &u[1])];
+    let along = [dot3(&w[0], d), dot3(&w[1], d), dot3(&w[2], d)];
     let mut so_far = Uncertain::NONE;
 
-    let across = cross(m, d);
+    let across = cross3(m, d);
     let on_line = |i: usize, h: &[P; 3]| {
         let (i, j, l) = turn(i);
         let reach = h[j] * along[l].magnitude() + h[l] * along[j].magnitude();
-        (dot(&across, &u[i]) * *one).magnitude() - reach
+        (dot3(&across, &u[i]) * *one).magnitude() - reach
     };
     for i in 0..3 {
         let gap = on_line(i, h);
@@ -85,9 +85,9 @@ pub(super) fn any_axis<P: Number + Mul<Output = P>>(
         so_far = so_far.or(Uncertain::above(gap, error.line));
     }
 
-    let volume = dot(&u[0], &w[0]).magnitude();
+    let volume = dot3(&u[0], &w[0]).magnitude();
     for i in 0..3 {
-        let (middle, reach) = (dot(&w[i], m) * *one, h[i] * volume);
+        let (middle, reach) = (dot3(&w[i], m) * *one, h[i] * volume);
         let at = |end: &Option<P>| end.map(|t| middle + along[i] * t);
         let (start, end) = (at(from), at(to));
         for is_upper in [true, false] {

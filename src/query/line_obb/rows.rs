@@ -4,9 +4,11 @@
 use super::error_bound::{ErrorBound, Sizes, error_bound};
 use super::kernel::{self, any_axis};
 use super::{Disjoint, Line};
-use crate::arithmetic::{Filtered, Float, InFloat, Number, Quad, THREE, greatest, largest};
-use crate::query::obb_rows::{ObbInFloats, Vectors, fits, holds_one, in_floats, most};
-use crate::query::triangle_obb::{cross, lie_along_one_axis};
+use crate::arithmetic::{
+    Filtered, Float, InFloat, Number, Quad, THREE, cross3, greatest, largest, three_in_float,
+};
+use crate::query::obb_rows::{ObbInFloats, Vectors, fits, holds_one, most};
+use crate::query::triangle_obb::lie_along_one_axis;
 use crate::robust::Uncertain;
 use crate::scalar::Scalar;
 use crate::shape::SegmentForm;
@@ -21,7 +23,8 @@ pub(super) fn is_separated<S: Scalar + InFloat<F>, F: Float>(
     }
     let ObbInFloats { center, axes, half } = ObbInFloats::<F>::new(question.obb);
     let [p, q, ends] = question.rows();
-    let (p, q, ends): ([F; 3], [F; 3], [F; 3]) = (in_floats(p), in_floats(q), in_floats(ends));
+    let (p, q, ends): ([F; 3], [F; 3], [F; 3]) =
+        (three_in_float(p), three_in_float(q), three_in_float(ends));
     if !fits::<S, F::Quad, 5>(&[p, q, ends, center, half]) {
         return None;
     }
@@ -74,7 +77,7 @@ impl<F: Float> Operands<F> {
         let along = w.dot(d);
         let (next, last) = (along.turned().magnitude(), along.turned().turned().magnitude());
         let reach = h.turned() * last + h.turned().turned() * next;
-        let mut so_far = exceeds(u.dot(cross(&m, &d)).magnitude() - reach, error.line);
+        let mut so_far = exceeds(u.dot(cross3(&m, &d)).magnitude() - reach, error.line);
         // On a zero vector a rounded gap never exceeds its bound.
         if so_far.possible & !so_far.certain & THREE != 0 {
             let others = !self.zeros();

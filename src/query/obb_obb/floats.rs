@@ -4,8 +4,8 @@ use super::error_bound::ErrorBound;
 use super::exact::{Given, in_window};
 use super::kernel::{all_axes, is_zero};
 use super::{First, Lie, kernel};
-use crate::arithmetic::{Float, InFloat, Quad, SMALL_CODE, greatest};
-use crate::query::obb_rows::{ObbInFloats, fits, holds_one, in_floats};
+use crate::arithmetic::{Float, InFloat, Quad, SMALL_CODE, greatest, three_in_float};
+use crate::query::obb_rows::{ObbInFloats, fits, holds_one};
 use crate::query::relation::Relation;
 use crate::scalar::Scalar;
 
@@ -40,7 +40,7 @@ pub(super) fn of_boxes<S: Scalar + InFloat<F>, F: Float>(
         }
         First::Aabb(first) => {
             let (p, q, is_by_center) = first.numbers();
-            let (p, q): ([F; 3], [F; 3]) = (in_floats(p), in_floats(q));
+            let (p, q): ([F; 3], [F; 3]) = (three_in_float(p), three_in_float(q));
             if !fits::<S, F::Quad, 4>(&[p, q, b, k]) {
                 return None;
             }
@@ -75,7 +75,7 @@ impl<F: Float> Boxes<F> {
             }
             First::Aabb(first) => {
                 let (p, q, is_by_center) = first.numbers();
-                ([in_floats(p), in_floats(q)], !is_by_center)
+                ([three_in_float(p), three_in_float(q)], !is_by_center)
             }
         };
         Given { first, second: [center, half], u: self.u, v: self.v, by_corners }

@@ -40,9 +40,9 @@
 use core::ops::Mul;
 
 use super::error_bound::ErrorBound;
-use crate::arithmetic::{Number, three, turn};
+use crate::arithmetic::{Number, cross3, dot3, three, turn};
 use crate::query::relation::{Nearness, Relation};
-use crate::query::triangle_obb::{cross, dot, lie_along_one_axis};
+use crate::query::triangle_obb::lie_along_one_axis;
 
 /// Two parallelepipeds as operands of products: the difference of the centres, axes and
 /// half-extents of both boxes, and one in the unit of an axis.
@@ -57,7 +57,7 @@ pub(super) struct Boxes<P> {
 
 #[inline(always)]
 fn normals<P: Number + Mul<Output = P>>([u, v, w]: &[[P; 3]; 3]) -> [[P; 3]; 3] {
-    [cross(v, w), cross(w, u), cross(u, v)]
+    [cross3(v, w), cross3(w, u), cross3(u, v)]
 }
 
 /// Whether the cross product of two axes is certainly zero, as for boxes with the same orientation,
@@ -97,13 +97,14 @@ pub(super) fn all_axes<P: Number + Mul<Output = P>>(
     };
 
     let w = normals(u);
-    let volume = dot(&u[0], &w[0]).magnitude();
+    let volume = dot3(&u[0], &w[0]).magnitude();
     let mut on_v = [[P::ZERO; 3]; 3];
     // The axis of a face of the first box, for a second box with half-extents of half of `k`.
-    let on_face =
-        |i: usize, on_v: &[P; 3], k: &[P; 3]| (dot(&w[i], d) * *one, h[i] * volume + dot(k, on_v));
+    let on_face = |i: usize, on_v: &[P; 3], k: &[P; 3]| {
+        (dot3(&w[i], d) * *one, h[i] * volume + dot3(k, on_v))
+    };
     for i in 0..3 {
-        on_v[i] = three(|j| dot(&w[i], &v[j]).magnitude());
+        on_v[i] = three(|j| dot3(&w[i], &v[j]).magnitude());
         let (distance, reach) = on_face(i, &on_v[i], k);
         add(&mut found, distance, reach);
     }
@@ -112,11 +113,11 @@ pub(super) fn all_axes<P: Number + Mul<Output = P>>(
     }
 
     let z = normals(v);
-    let volume = dot(&v[0], &z[0]).magnitude();
+    let volume = dot3(&v[0], &z[0]).magnitude();
     let mut on_u = [[P::ZERO; 3]; 3];
     for j in 0..3 {
-        on_u[j] = three(|i| dot(&z[j], &u[i]).magnitude());
-        add(&mut found, dot(&z[j], d) * *one, k[j] * volume + dot(h, &on_u[j]));
+        on_u[j] = three(|i| dot3(&z[j], &u[i]).magnitude());
+        add(&mut found, dot3(&z[j], d) * *one, k[j] * volume + dot3(h, &on_u[j]));
     }
     if found.is_disjoint {
         return Some(Relation::Disjoint);
@@ -124,12 +125,12 @@ pub(super) fn all_axes<P: Number + Mul<Output = P>>(
 
     for i in 0..3 {
         let (i, l, m) = turn(i);
-        let n = cross(d, &u[i]);
+        let n = cross3(d, &u[i]);
         let on_pair = |j: usize, k: &[P; 3]| {
             let (j, p, q) = turn(j);
             let reach =
                 (h[l] * on_v[m][j] + h[m] * on_v[l][j]) + (k[p] * on_u[q][i] + k[q] * on_u[p][i]);
-            (dot(&n, &v[j]) * *one, reach)
+            (dot3(&n, &v[j]) * *one, reach)
         };
         for j in 0..3 {
             let (distance, reach) = on_pair(j, k);

@@ -6,8 +6,8 @@
 
 use core::cmp::Ordering;
 
-use crate::arithmetic::{Each, Embeds, Number, Parts, greatest, largest, pick};
-use crate::query::triangle_obb::{cross, dot, error_bound, operands, way};
+use crate::arithmetic::{Each, Embeds, Number, Parts, cross3, dot3, greatest, largest, pick};
+use crate::query::triangle_obb::{error_bound, operands, way};
 use crate::robust::{ExactSum, Predicate, Uncertain, Vector, add_determinant, singles};
 use crate::scalar::Scalar;
 use crate::shape::Obb;
@@ -32,12 +32,12 @@ impl<S: Scalar> Predicate<S> for Outside<'_, S> {
         // The same terms as on the face axes of a triangle, with the same roundings.
         let bound = error_bound::<N>(one, axes, largest(&d), largest(&h))?.face;
 
-        let vw = cross(&v, &w);
-        let volume = dot(&vw, &u).magnitude();
-        let faces = [(vw, h[0]), (cross(&w, &u), h[1]), (cross(&u, &v), h[2])];
+        let vw = cross3(&v, &w);
+        let volume = dot3(&vw, &u).magnitude();
+        let faces = [(vw, h[0]), (cross3(&w, &u), h[1]), (cross3(&u, &v), h[2])];
         let mut so_far = Uncertain::NONE;
         for (w, h) in faces {
-            let gap = (dot(&w, &d) * one).magnitude() - h * volume;
+            let gap = (dot3(&w, &d) * one).magnitude() - h * volume;
             so_far = so_far.or(Uncertain::above(gap, bound));
         }
         so_far.verdict()

@@ -10,7 +10,7 @@
 //! include one rounding of each vector, and a little more in `f64`, where the difference was rounded
 //! before.
 
-use crate::arithmetic::{Each, Float, Number, OfFour, Quad, largest, three};
+use crate::arithmetic::{Each, Float, Number, OfFour, Quad, cross3, dot3, largest, three};
 use crate::scalar::Scalar;
 use crate::shape::{Ray, Triangle};
 
@@ -55,8 +55,8 @@ pub(crate) fn clear_misses<S: Scalar>(ray: &Ray<S>, triangles: [Triangle<S>; 4])
 fn misses([e1, e2]: [[Four; 3]; 2], s: [Four; 3], d: [f32; 3], is_ahead: bool) -> u32 {
     let direction = largest(&d);
     let d = three(|i| Four::splat(d[i]));
-    let (p, q) = (cross(&d, &e2), cross(&s, &e1));
-    let (det, u, v, t) = (dot(&p, &e1), dot(&p, &s), dot(&q, &d), dot(&q, &e2));
+    let (p, q) = (cross3(&d, &e2), cross3(&s, &e1));
+    let (det, u, v, t) = (dot3(&p, &e1), dot3(&p, &s), dot3(&q, &d), dot3(&q, &e2));
     let w = det - u - v;
 
     let edges = greatest_of(&e1).greatest(greatest_of(&e2));
@@ -76,16 +76,6 @@ fn misses([e1, e2]: [[Four; 3]; 2], s: [Four; 3], d: [f32; 3], is_ahead: bool) -
     let above = u.greatest(v).greatest(w).exceeds(sides) | ahead;
     let below = (zero - sides).exceeds(u.least(v).least(w)) | behind;
     above & below & in_range
-}
-
-#[inline(always)]
-fn cross(a: &[Four; 3], b: &[Four; 3]) -> [Four; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-#[inline(always)]
-fn dot(a: &[Four; 3], b: &[Four; 3]) -> Four {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 #[inline(always)]

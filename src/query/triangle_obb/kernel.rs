@@ -1,6 +1,6 @@
 use core::ops::Mul;
 
-use crate::arithmetic::{Arithmetic, Each, Number, greatest, least, three, turn};
+use crate::arithmetic::{Arithmetic, Each, Number, cross3, dot3, greatest, least, three, turn};
 use crate::query::relation::Reading;
 
 /// A triangle and a parallelepiped as operands of products: the vertices relative to the centre,
@@ -63,14 +63,14 @@ pub(super) fn all_axes<P: Number + Mul<Output = P>, R: Reading>(
     looks_twice: bool,
 ) -> R {
     let Parallelepiped { t, e, u, h, one } = s;
-    let n = cross(&e[0], &e[1]);
-    let w = [cross(&u[1], &u[2]), cross(&u[2], &u[0]), cross(&u[0], &u[1])];
-    let un = [dot(&u[0], &n), dot(&u[1], &n), dot(&u[2], &n)];
+    let n = cross3(&e[0], &e[1]);
+    let w = [cross3(&u[1], &u[2]), cross3(&u[2], &u[0]), cross3(&u[0], &u[1])];
+    let un = [dot3(&u[0], &n), dot3(&u[1], &n), dot3(&u[2], &n)];
 
-    let volume = dot(&u[0], &w[0]).magnitude();
+    let volume = dot3(&u[0], &w[0]).magnitude();
     let mut so_far = R::NONE;
     for i in 0..3 {
-        let on = |k: usize| dot(&w[i], &t[k]) * *one;
+        let on = |k: usize| dot3(&w[i], &t[k]) * *one;
         let (a, b, c, r) = (on(0), on(1), on(2), h[i] * volume);
         let (low, high) = (least(least(a, b), c), greatest(greatest(a, b), c));
         so_far.add(greatest(low, -high) - r, (high - low) + r, error_bound.face);
@@ -79,19 +79,19 @@ pub(super) fn all_axes<P: Number + Mul<Output = P>, R: Reading>(
     // On the plane, for a box with half-extents of half of `h`.
     let on_plane = |h: &[P; 3]| {
         let r = un[0].magnitude() * h[0] + un[1].magnitude() * h[1] + un[2].magnitude() * h[2];
-        ((dot(&n, &t[0]) * *one).magnitude() - r, r)
+        ((dot3(&n, &t[0]) * *one).magnitude() - r, r)
     };
     let (gap, reach) = on_plane(h);
     so_far.add(gap, reach, error_bound.plane);
 
     for k in 0..3 {
-        let m = cross(&e[k], &t[k]);
-        let along = [dot(&w[0], &e[k]), dot(&w[1], &e[k]), dot(&w[2], &e[k])];
+        let m = cross3(&e[k], &t[k]);
+        let along = [dot3(&w[0], &e[k]), dot3(&w[1], &e[k]), dot3(&w[2], &e[k])];
         // On e_k × u_i, for the same box.
         let on_edge = |i: usize, h: &[P; 3]| {
             let (i, j, l) = turn(i);
             // Everything is doubled, because the middle of the interval need not be an integer.
-            let p = dot(&u[i], &m) * *one;
+            let p = dot3(&u[i], &m) * *one;
             let q = un[i] * *one;
             let r = along[l].magnitude() * h[j] + along[j].magnitude() * h[l];
             let reach = q.magnitude() + (r + r);
@@ -115,16 +115,6 @@ pub(super) fn all_axes<P: Number + Mul<Output = P>, R: Reading>(
         }
     }
     so_far
-}
-
-#[inline(always)]
-pub(in crate::query) fn cross<P: Number + Mul<Output = P>>(a: &[P; 3], b: &[P; 3]) -> [P; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-#[inline(always)]
-pub(in crate::query) fn dot<P: Number + Mul<Output = P>>(a: &[P; 3], b: &[P; 3]) -> P {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 /// Whether the cross product of two vectors is certainly zero: both lie along one coordinate axis,

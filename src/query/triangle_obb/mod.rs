@@ -21,7 +21,7 @@ pub(super) use self::error_bound::error_bound;
 use self::exact::InWords;
 use self::exact::{ExactParallelepiped, InSums};
 use self::kernel::{Parallelepiped, all_axes};
-pub(super) use self::kernel::{cross, dot, lie_along_one_axis, operands, way};
+pub(super) use self::kernel::{lie_along_one_axis, operands, way};
 pub(super) use self::known::{Known, Size, raw, size};
 pub use self::prepared::PreparedObb;
 use self::short::Change;
