@@ -12,3 +12,28 @@ impl Random {
         z ^ (z >> 31)
     }
 }
+
+#[cfg(feature = "fixed")]
+impl Random {
+    /// An integer from zero to n − 1.
+    pub(crate) fn below(&mut self, n: u64) -> i64 {
+        ((u128::from(self.bits()) * u128::from(n)) >> 64) as i64
+    }
+
+    /// An integer from −n to n.
+    pub(crate) fn within(&mut self, n: u32) -> i64 {
+        let z = self.bits() as u32;
+        ((u64::from(z) * u64::from(2 * n + 1)) >> 32) as i64 - i64::from(n)
+    }
+
+    /// A number of `bits` bits without its sign: any, at the end of the range, or from a small set.
+    pub(crate) fn number(&mut self, kind: i64, bits: u32) -> i64 {
+        let end = (1 << bits) - 1;
+        match kind {
+            0 => self.below(2 << bits) - end - 1,
+            1 => [-end - 1, end, 0, 1, -1][self.below(5) as usize],
+            2 => (self.below(5) - 2) << (bits - 2).min(14),
+            _ => self.below(7) - 3,
+        }
+    }
+}

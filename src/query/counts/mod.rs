@@ -12,20 +12,10 @@ use crate::arithmetic::{Each, InRaw};
 use crate::random::Random;
 use crate::scalar::Scalar;
 
-struct Rng(Random);
-
-impl Rng {
-    /// An integer from −n to n.
-    fn within(&mut self, n: u32) -> i64 {
-        let z = self.0.bits() as u32;
-        ((u64::from(z) * u64::from(2 * n + 1)) >> 32) as i64 - i64::from(n)
-    }
-}
-
 trait Sample: Scalar {
     /// A number of one of three kinds: on a coarse grid, on a fine grid, or on a fine grid far from
     /// zero, where the last digits of the type decide contact.
-    fn sample(rng: &mut Rng, kind: u32) -> Self;
+    fn sample(rng: &mut Random, kind: u32) -> Self;
 
     /// Orthogonal axes, of length one or nearly.
     fn turned() -> [[Self; 3]; 3];
@@ -35,7 +25,7 @@ trait Sample: Scalar {
 const TURNED: [[i64; 3]; 3] = [[60, 80, 0], [-48, 36, 80], [64, -48, 60]];
 
 /// A sample of a float. In `f64` the samples for `f32` are exact, so they are rounded once.
-fn float(rng: &mut Rng, kind: u32, far: f64) -> f64 {
+fn float(rng: &mut Random, kind: u32, far: f64) -> f64 {
     match kind {
         0 => rng.within(4) as f64,
         1 => rng.within(1 << 20) as f64 / 262_144.0,
@@ -44,7 +34,7 @@ fn float(rng: &mut Rng, kind: u32, far: f64) -> f64 {
 }
 
 impl Sample for f32 {
-    fn sample(rng: &mut Rng, kind: u32) -> Self {
+    fn sample(rng: &mut Random, kind: u32) -> Self {
         float(rng, kind, 1e5) as Self
     }
     fn turned() -> [[Self; 3]; 3] {
@@ -53,7 +43,7 @@ impl Sample for f32 {
 }
 
 impl Sample for f64 {
-    fn sample(rng: &mut Rng, kind: u32) -> Self {
+    fn sample(rng: &mut Random, kind: u32) -> Self {
         float(rng, kind, 1e14)
     }
     fn turned() -> [[Self; 3]; 3] {
@@ -62,7 +52,7 @@ impl Sample for f64 {
 }
 
 impl<S: Scalar + InRaw> Sample for S {
-    fn sample(rng: &mut Rng, kind: u32) -> Self {
+    fn sample(rng: &mut Random, kind: u32) -> Self {
         let [coarse, fine, far] = match S::FRACTION_BITS {
             8 => [6, 13, 13],
             16 => [15, 18, 30],

@@ -2,7 +2,7 @@
 
 use fixed::types::{I16F16, I32F32};
 
-use super::{Rng, Sample};
+use super::Sample;
 use crate::arithmetic::{Each, REGISTERS_ARE_WIDE, SMALL_CODE};
 use crate::query::{HitRay, HitTriangle, PreparedRay, PreparedTriangle};
 use crate::random::Random;
@@ -15,9 +15,9 @@ use crate::shape::{Aabb, Obb, Ray, Segment, Triangle};
 fn a_triangle_and_a_box_are_hardly_ever_in_doubt() {
     fn count<S: Sample>(is_prepared: bool) -> u32 {
         let mut doubts = 0;
-        let mut rng = Rng(Random(0x7a11));
+        let mut rng = Random(0x7a11);
         for _ in 0..1_000 {
-            let point = |rng: &mut Rng| [(); 3].each(|()| S::sample(rng, 1));
+            let point = |rng: &mut Random| [(); 3].each(|()| S::sample(rng, 1));
             let triangle = [(); 3].each(|()| point(&mut rng));
             let [a, b, c] = triangle;
             let triangle = Triangle::new(a, b, c).unwrap();
@@ -56,7 +56,7 @@ fn a_triangle_and_a_box_are_hardly_ever_in_doubt() {
 fn a_ray_and_a_triangle_are_seldom_in_doubt() {
     fn count<S: Sample>() -> u32 {
         let mut doubts = 0;
-        let mut rng = Rng(Random(0x6a11));
+        let mut rng = Random(0x6a11);
         let mut point = || [(); 3].each(|()| S::sample(&mut rng, 1));
         let mut shapes = || {
             let ray = HitRay::new(&Ray::new(point(), point()).unwrap());
@@ -94,9 +94,9 @@ fn random_box<S: Scalar>(by_corners: bool, p: [S; 3], q: [S; 3]) -> Aabb<S> {
 fn a_prepared_ray_is_hardly_ever_in_doubt() {
     fn count<S: Sample>(by_corners: bool) -> u32 {
         let mut doubts = 0;
-        let mut rng = Rng(Random(0xb0c5));
+        let mut rng = Random(0xb0c5);
         for _ in 0..1_000 {
-            let point = |rng: &mut Rng| [(); 3].each(|()| S::sample(rng, 1));
+            let point = |rng: &mut Random| [(); 3].each(|()| S::sample(rng, 1));
             let ray = Ray::new(point(&mut rng), point(&mut rng)).unwrap();
             let prepared = PreparedRay::new(&ray);
             for _ in 0..100 {
@@ -125,7 +125,7 @@ fn a_prepared_ray_is_hardly_ever_in_doubt() {
 #[test]
 fn nearly_parallel_axes_are_hardly_ever_in_doubt() {
     fn count<S: Sample>(near: fn(f64) -> S) -> u32 {
-        let mut rng = Rng(Random(0x7117));
+        let mut rng = Random(0x7117);
         let mut at_the_end = 0;
         for tilt in [1e-30, 1e-18, 6.1e-17, 1e-15, 1e-14, 1e-12] {
             for _ in 0..200 {

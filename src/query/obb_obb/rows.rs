@@ -110,7 +110,7 @@ impl<F: Float> Boxes<F> {
 #[cfg(all(test, not(feature = "small")))]
 mod tests {
     use super::*;
-    use crate::arithmetic::three;
+    use crate::arithmetic::{cross3, dot3, three};
     use crate::query::obb_obb::First;
     use crate::query::obb_rows::tests::Numbers;
     use crate::robust::Predicate;
@@ -153,14 +153,6 @@ mod tests {
         [[0.8, 0.6, 0.0], [-0.6, 0.8, 0.0], [0.0, 0.0, 1.0]],
     ];
 
-    fn dot(a: [f32; 3], b: [f32; 3]) -> f32 {
-        a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-    }
-
-    fn crossed(a: [f32; 3], b: [f32; 3]) -> [f32; 3] {
-        three(|i| a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3])
-    }
-
     #[test]
     fn what_is_short_is_exact() {
         let mut numbers = Numbers(11);
@@ -175,10 +167,10 @@ mod tests {
             let (u, v, are_whole) = (AXES[i], AXES[j], i < 4 && j < 4);
             let (h, k) = (h.map(f32::abs), k.map(f32::abs));
             // They touch along z or along a normal of the first, as closely as the numbers allow.
-            let axis = if n & 256 == 0 { [0.0, 0.0, 1.0] } else { crossed(u[1], u[2]) };
+            let axis = if n & 256 == 0 { [0.0, 0.0, 1.0] } else { cross3(&u[1], &u[2]) };
             let along = (0..3).find(|&i| axis[i] != 0.0).unwrap();
             let reach: f32 =
-                u.iter().zip(h).chain(v.iter().zip(k)).map(|(x, h)| dot(*x, axis).abs() * h).sum();
+                u.iter().zip(h).chain(v.iter().zip(k)).map(|(x, h)| dot3(x, &axis).abs() * h).sum();
             let mut b = a;
             b[along] += (reach + (n % 3) as f32 / 64.0 - 1.0 / 64.0) / axis[along].abs();
             let second = Obb::from_skewed_axes(b, v, k).unwrap();

@@ -161,32 +161,13 @@ mod tests {
     use crate::robust::{Predicate, WordKernel};
     use crate::shape::{Ray, Triangle};
 
-    struct Rng(Random);
-
-    impl Rng {
-        fn below(&mut self, n: u64) -> i64 {
-            ((u128::from(self.0.bits()) * u128::from(n)) >> 64) as i64
-        }
-
-        /// A number of `bits` bits without its sign: any, at the end of the range, or from a small
-        /// set.
-        fn number(&mut self, kind: i64, bits: u32) -> i64 {
-            let end = (1 << bits) - 1;
-            match kind {
-                0 => self.below(2 << bits) - end - 1,
-                1 => [-end - 1, end, 0, 1, -1][self.below(5) as usize],
-                _ => (self.below(5) - 2) << (bits - 2).min(14),
-            }
-        }
-    }
-
     /// Words agree with exact sums, for numbers of these bits. The number of hits is checked too.
     fn check<S: Scalar + InWholeWord<W>, W: WholeWord>(
         bits: u32,
         length_bits: u32,
         of: impl Fn(i64) -> S,
     ) {
-        let rng = &mut Rng(Random(u64::from(bits)));
+        let rng = &mut Random(u64::from(bits));
         let (mut hits, mut on_edges) = (0, 0);
         for case in 0..6_000 {
             let kind = case % 3;

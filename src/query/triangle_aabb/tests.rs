@@ -7,7 +7,7 @@ use super::conservative::disjoint_when_cut_down;
 use super::error_bound::offset_bound;
 use super::offsets::{self, InRows, are_exact, of_center, of_corners, size_in_range};
 use super::rows::largest;
-use crate::arithmetic::{Each, Quad, three, turn};
+use crate::arithmetic::{Each, Quad, cross3, dot3, minus3, three, turn};
 use crate::random::Random;
 use crate::scalar::{Backend, Scalar};
 use crate::shape::{Aabb, AabbForm, Triangle};
@@ -35,23 +35,15 @@ fn shapes<S: Scalar>(pair: Pair, scalar: impl Fn(i64) -> S) -> (Triangle<S>, [Aa
     (Triangle::new(point(a), point(b), point(c)).unwrap(), [by_center, by_corners])
 }
 
-fn dot(p: [i128; 3], q: [i128; 3]) -> i128 {
-    p[0] * q[0] + p[1] * q[1] + p[2] * q[2]
-}
-
-fn cross(p: [i128; 3], q: [i128; 3]) -> [i128; 3] {
-    [(1, 2), (2, 0), (0, 1)].each(|(j, k)| p[j] * q[k] - p[k] * q[j])
-}
-
 /// The doubled gaps: nine edge axes in the kernel's order, and the plane.
 fn truth([a, b, c, center, half]: Pair) -> [i128; 10] {
     let minus = |p: [i64; 3], q: [i64; 3]| three(|i| i128::from(p[i] - q[i]));
     let (v, h) = ([a, b, c].each(|p| minus(p, center)), half.each(i128::from));
     let e = [minus(b, a), minus(c, b), minus(a, c)];
-    let n = cross(e[0], e[1]);
-    let mut gaps = [2 * (dot(n, v[0]).abs() - dot(n.each(i128::abs), h)); 10];
+    let n = cross3(&e[0], &e[1]);
+    let mut gaps = [2 * (dot3(&n, &v[0]).abs() - dot3(&n.each(i128::abs), &h)); 10];
     for k in 0..3 {
-        let p = cross(e[k], v[k]);
+        let p = cross3(&e[k], &v[k]);
         // A row of the kernel has (z, x, y).
         for (to, i) in [2, 0, 1].into_iter().enumerate() {
             let (_, j, l) = turn(i);
@@ -219,11 +211,6 @@ fn near_a_face(state: &mut Random, case: usize) -> Pair {
 /// Boxes at a small distance from the plane, or from an edge: 2^-9 to 2^-17 of the size. Vertices
 /// at the corners of a cube have the longest normal for their size.
 fn near_a_plane_or_an_edge(state: &mut Random, case: usize) -> Option<Pair> {
-    type Vector = [f64; 3];
-    let minus = |p: Vector, q: Vector| three(|i| p[i] - q[i]);
-    let dot = |p: Vector, q: Vector| p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
-    let cross =
-        |p: Vector, q: Vector| [(1, 2), (2, 0), (0, 1)].each(|(j, k)| p[j] * q[k] - p[k] * q[j]);
     let side = 1_i64 << (20 + state.bits() % 26);
     let vertices = [(); 3].each(|()| {
         let signs = state.bits();
@@ -231,21 +218,21 @@ fn near_a_plane_or_an_edge(state: &mut Random, case: usize) -> Option<Pair> {
     });
     let half = [(); 3].each(|()| (state.bits() as i64 & (side - 1)) >> (case % 5 + 2));
     let [[a, b, c], [q, ..]] = [vertices, [half; 3]].each(|x| x.each(|row| row.each(|x| x as f64)));
-    let along = [minus(b, a), minus(c, a)];
+    let along = [minus3(&b, &a), minus3(&c, &a)];
     let (axis, from) = if case % 2 == 0 {
-        (cross(along[0], along[1]), three(|i| (a[i] + b[i] + c[i]) / 3.0))
+        (cross3(&along[0], &along[1]), three(|i| (a[i] + b[i] + c[i]) / 3.0))
     } else {
         let unit = three(|i| f64::from(i == case % 3));
-        (cross(along[0], unit), three(|i| (a[i] + b[i]) / 2.0))
+        (cross3(&along[0], &unit), three(|i| (a[i] + b[i]) / 2.0))
     };
     // Away from the third vertex.
-    let length = dot(axis, axis).sqrt().copysign(-dot(axis, along[1]));
+    let length = dot3(&axis, &axis).sqrt().copysign(-dot3(&axis, &along[1]));
     if length == 0.0 {
         return None;
     }
     let axis = axis.each(|x| x / length);
     let gap = side as f64 / (256 + state.bits() % (1 << (9 + case % 8))) as f64;
-    let off = dot(axis.each(f64::abs), q) + gap;
+    let off = dot3(&axis.each(f64::abs), &q) + gap;
     let [a, b, c] = vertices;
     Some([a, b, c, three(|i| (from[i] + axis[i] * off) as i64), half])
 }

@@ -10,32 +10,13 @@ use crate::robust::WordKernel;
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, Triangle};
 
-struct Rng(Random);
-
-impl Rng {
-    fn below(&mut self, n: u64) -> i64 {
-        ((u128::from(self.0.bits()) * u128::from(n)) >> 64) as i64
-    }
-
-    /// A number of `bits` bits without its sign: any, at the end of the range, or from a small set.
-    fn number(&mut self, kind: i64, bits: u32) -> i64 {
-        let end = (1 << bits) - 1;
-        match kind {
-            0 => self.below(2 << bits) - end - 1,
-            1 => [-end - 1, end, 0, 1, -1][self.below(5) as usize],
-            2 => (self.below(5) - 2) << (bits - 2).min(14),
-            _ => self.below(7) - 3,
-        }
-    }
-}
-
 /// Shapes and motions of numbers of these bits.
 pub(super) fn cases<S: Scalar>(
     bits: u32,
     of: impl Fn(i64) -> S,
     mut check: impl FnMut(Passing<'_, S>),
 ) {
-    let rng = &mut Rng(Random(u64::from(bits)));
+    let rng = &mut Random(u64::from(bits));
     for case in 0..12_000 {
         let kind = case % 4;
         let mut point = || [(); 3].each(|()| rng.number(kind, bits));

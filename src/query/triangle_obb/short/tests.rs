@@ -3,7 +3,7 @@
 use fixed::types::{I2F30, I4F4, I8F8, I16F16};
 
 use super::*;
-use crate::arithmetic::{Each, exp2};
+use crate::arithmetic::{Each, cross3, dot3, exp2};
 use crate::random::Random;
 use crate::shape::{Obb, Triangle, Vec3};
 
@@ -20,22 +20,14 @@ fn wide<S: InRaw>(v: Vec3<S>) -> [i128; 3] {
     raw(&v).each(|x| x.into().into())
 }
 
-fn dot(a: [i128; 3], b: [i128; 3]) -> i128 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn cross(a: [i128; 3], b: [i128; 3]) -> [i128; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
 /// The greatest part of the allowed error that occurred; `None` if a face separates.
 fn found<S: Scalar + InRaw>(question: &Disjoint<'_, S>) -> Option<f64> {
     let framed = question.framed(Change::Grown, Disjoint::vertices_from_center)?;
     assert!(Projection::are_near(&framed.shapes), "{:?} {:?}", question.triangle, question.obb);
     let u = question.obb.axes().each(wide);
     let (center, half) = (wide(question.obb.center()), wide(question.obb.half_extents()));
-    let w = [cross(u[1], u[2]), cross(u[2], u[0]), cross(u[0], u[1])];
-    let volume = dot(u[0], w[0]).abs();
+    let w = [cross3(&u[1], &u[2]), cross3(&u[2], &u[0]), cross3(&u[0], &u[1])];
+    let volume = dot3(&u[0], &w[0]).abs();
     let errors_over = |unit: f64| {
         let mut most = 0.0;
         for i in 0..3 {
@@ -45,7 +37,7 @@ fn found<S: Scalar + InRaw>(question: &Disjoint<'_, S>) -> Option<f64> {
             for k in 0..3 {
                 let p = wide(question.triangle.vertices()[k]);
                 let d = [p[0] - center[0], p[1] - center[1], p[2] - center[2]];
-                let vertex = off(vertices[k] - size / 2, dot(w[i], d) << S::FRACTION_BITS);
+                let vertex = off(vertices[k] - size / 2, dot3(&w[i], &d) << S::FRACTION_BITS);
                 most = f64::max(most, vertex + extent);
             }
         }
