@@ -61,7 +61,7 @@ pub use interval::Interval;
 #[cfg(feature = "fixed")]
 pub(crate) use limbs::{Limbs, Wide};
 pub use number::{Limbed, Number};
-pub(crate) use number::{compare, greatest, largest, least};
+pub(crate) use number::{compare, greatest, largest, least, sign};
 pub(crate) use offset::Offset;
 pub(crate) use parts::Bits;
 pub use parts::Parts;

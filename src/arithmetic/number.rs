@@ -135,6 +135,12 @@ pub(crate) fn compare<T: PartialOrd>(a: T, b: T) -> Ordering {
     }
 }
 
+/// How a number compares with zero.
+#[inline(always)]
+pub(crate) fn sign<T: Number>(x: T) -> Ordering {
+    compare(x, T::ZERO)
+}
+
 /// The smaller of two numbers. On x86-64 this form is one instruction; `f32::min`, which must treat
 /// NaN, takes several.
 #[inline(always)]

@@ -12,8 +12,8 @@
 //! All signs are of products of two to four lengths, in exact numbers.
 
 use super::answer::Part;
-use super::scene::{CORNERS, Scene, Way, along, product, sign};
-use crate::arithmetic::{Arithmetic, Each, Number, Soft, cross, dot};
+use super::scene::{CORNERS, Scene, Way, along, product};
+use crate::arithmetic::{Arithmetic, Each, Number, Soft, cross, dot, sign};
 use crate::query::{Vector, from};
 
 /// A point of the solid.

@@ -4,7 +4,7 @@ use core::cmp::Ordering;
 
 use super::interior::InteriorEdges;
 use crate::arithmetic::{
-    Arithmetic, Each, Number, compare, cross, dot, greatest, pick, three, turn,
+    Arithmetic, Each, Number, compare, cross, dot, greatest, pick, sign, three, turn,
 };
 use crate::query::{Vector, from};
 
@@ -39,10 +39,6 @@ pub(super) fn product<N: Arithmetic>(a: &Vector<N>, b: &Vector<N>) -> N::Area {
 /// a·b, of areas.
 pub(super) fn along<N: Arithmetic>(a: &[N::Area; 3], b: &[N::Area; 3]) -> N::Quartic {
     N::quartic(a[0], b[0]) + N::quartic(a[1], b[1]) + N::quartic(a[2], b[2])
-}
-
-pub(super) fn sign<T: Number>(x: T) -> Ordering {
-    compare(x, T::ZERO)
 }
 
 impl<N: Arithmetic> Way<N> {

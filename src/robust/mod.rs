@@ -14,7 +14,7 @@
 //! [`Window`]: crate::arithmetic::Window
 //!
 //! Each answer is the exact one, so the order and the number of the stages change its time and
-//! never its value. Unit tests count how often questions escalate (`stages`).
+//! never its value. Unit tests count how often questions escalate.
 //!
 //! # The nearly zero normal
 //!
@@ -52,11 +52,13 @@ mod cascade;
 mod determinant;
 mod exact_sum;
 mod predicate;
-mod stages;
 mod uncertain;
 
+#[cfg(all(test, feature = "fixed"))]
+pub(crate) use cascade::escalations;
 pub(crate) use cascade::{
-    exact_stage, in_floats, in_quads, integer_stage, numeric_stage, refined_stage,
+    Stage, exact_stage, in_floats, in_quads, integer_stage, note, noted, numeric_stage,
+    refined_stage,
 };
 #[cfg(feature = "fixed")]
 pub(crate) use cascade::{only_stage, stage};
@@ -68,7 +70,4 @@ pub use exact_sum::ExactSum;
 pub(crate) use exact_sum::Sum;
 pub(crate) use predicate::in_exact_numbers;
 pub use predicate::{Clue, Numeric, Predicate, Profile, WordKernel};
-#[cfg(all(test, feature = "fixed"))]
-pub(crate) use stages::escalations;
-pub(crate) use stages::{Stage, note, noted};
 pub(crate) use uncertain::{Uncertain, certain_sign};

@@ -6,7 +6,7 @@
 
 use core::cmp::Ordering;
 
-use crate::arithmetic::{Each, Embeds, Number, Parts, compare, cross, dot, three};
+use crate::arithmetic::{Each, Embeds, Parts, compare, cross, dot, sign, three};
 use crate::robust::{ExactSum, Predicate, Profile, add_area, difference, single};
 use crate::scalar::Scalar;
 
@@ -89,7 +89,7 @@ impl<S: Scalar> Predicate<S> for Turn<S> {
         let all = [self.from, self.to, self.a, self.p, self.q].map(in_space);
         let [from, to, a, p, q] = N::embed(&all)?;
         let [u, v] = [0, 1].each(|i| (to[i] - from[i], (p[i] - a[i]) + (q[i] - a[i])));
-        Some(sign_of(N::area(u.0, v.1) - N::area(v.0, u.1)))
+        Some(sign(N::area(u.0, v.1) - N::area(v.0, u.1)) as i8)
     }
 }
 
@@ -110,10 +110,6 @@ impl<S: Scalar> Predicate<S> for Above<'_, S> {
         let [a, b, c, p, q] = N::embed(&[a, b, c, self.p, self.q])?;
         let (e, f) = (three(|i| b[i] - a[i]), three(|i| c[i] - a[i]));
         let d = three(|i| (p[i] - a[i]) + (q[i] - a[i]));
-        Some(sign_of(dot::<N>(&cross::<N>(&e, &f), &d)))
+        Some(sign(dot::<N>(&cross::<N>(&e, &f), &d)) as i8)
     }
-}
-
-fn sign_of<T: Number>(x: T) -> i8 {
-    compare(x, T::ZERO) as i8
 }

@@ -3,9 +3,7 @@
 use core::cmp::Ordering;
 
 use super::{FIRST, Points, Relation, SECOND};
-use crate::arithmetic::{
-    Arithmetic, Each, Number, compare, cross, dot, greatest, least, pick, turn,
-};
+use crate::arithmetic::{Arithmetic, Each, cross, dot, greatest, least, minus3, pick, sign, turn};
 
 /// Six points in an exact number system.
 pub(crate) struct Whole<N: Arithmetic>(pub(crate) [[N::Length; 3]; 6]);
@@ -18,13 +16,8 @@ impl<N: Arithmetic> Whole<N> {
     }
 
     fn difference(&self, a: usize, b: usize) -> [N::Length; 3] {
-        let (a, b) = (self.point(a), self.point(b));
-        [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+        minus3(self.point(a), self.point(b))
     }
-}
-
-fn sign<T: Number>(x: T) -> Ordering {
-    compare(x, T::ZERO)
 }
 
 impl<N: Arithmetic> Points for Whole<N> {

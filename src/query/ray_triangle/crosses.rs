@@ -4,7 +4,7 @@ use core::cmp::Ordering;
 
 use super::kernel::{Crossing, Setting, VolumeErrors};
 use super::{Facing, HitRules};
-use crate::arithmetic::{Embeds, Number, compare};
+use crate::arithmetic::{Embeds, Number, sign};
 use crate::scalar::Scalar;
 use crate::shape::{Ray, Triangle};
 
@@ -109,7 +109,7 @@ impl<S: Scalar> Crosses<'_, S> {
         let compare_with = |end: S| {
             if end == S::ZERO {
                 let is_clear = errors.is_none_or(|errors| t.magnitude() > errors.t);
-                return is_clear.then(|| compare(t, N::Volume::ZERO));
+                return is_clear.then(|| sign(t));
             }
             let errors = errors.map_or([N::Volume::ZERO; 2], |errors| {
                 [errors.t + t.magnitude().error(1), errors.side + det.error(1)]

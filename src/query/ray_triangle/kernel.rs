@@ -5,7 +5,7 @@ use core::cmp::Ordering;
 
 use super::Feature;
 use super::error_bound::{SIDES, T, VOLUME};
-use crate::arithmetic::{Arithmetic, Number, compare, cross, dot, greatest, largest, least, three};
+use crate::arithmetic::{Arithmetic, Number, cross, dot, greatest, largest, least, sign, three};
 
 /// A line and a triangle, relative to the triangle's first vertex.
 #[derive(Clone, Copy)]
@@ -115,7 +115,7 @@ impl<L: Number> Setting<L> {
     pub(super) fn perturbed_in<M: Arithmetic<Length = L>>(&self, k: usize) -> Ordering {
         let difference = |a: &[L; 3], b: &[L; 3]| three(|i| a[i] - b[i]);
         self.perturbed(k, difference, |a, b| {
-            let signs = cross::<M>(a, b).map(|x| compare(x, M::Area::ZERO));
+            let signs = cross::<M>(a, b).map(sign);
             signs[0].then(signs[1]).then(signs[2])
         })
     }

@@ -6,8 +6,7 @@
 //! n·(n·d)/(n·n) in the interior.
 
 use super::error_bound::Errors;
-use super::foot::{Around, feature, feature_of_segment, on_edge, on_face};
-use super::in_double::in_double;
+use super::foot::{Around, feature, feature_of_segment, in_double, on_edge, on_face};
 use super::kernel::largest_of;
 use crate::arithmetic::{Embeds, Filtered, Number, REGISTERS_ARE_WIDE, dot, part, pick, three};
 use crate::query::Feature;

@@ -6,7 +6,6 @@ mod distance_range;
 mod error_bound;
 mod face;
 mod foot;
-mod in_double;
 mod kernel;
 mod obb;
 mod plane;
