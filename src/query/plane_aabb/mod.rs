@@ -11,7 +11,7 @@ use super::Overlaps;
 use crate::arithmetic::{Embeds, Number, greatest, largest, of_two, once};
 use crate::robust::{Predicate, Profile, Uncertain};
 use crate::scalar::Scalar;
-use crate::shape::{Aabb, AabbForm, Plane, PlaneForm};
+use crate::shape::{Aabb, Plane, PlaneForm};
 
 /// The side of a plane on which a shape lies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -44,20 +44,17 @@ impl<S: Scalar> Predicate<S> for Beyond<'_, S> {
             PlaneForm::Point(p) => (p.to_array(), S::ZERO),
             PlaneForm::Offset(d) => ([S::ZERO; 3], *d),
         };
-        let (AabbForm::Center { center: p, half: q } | AabbForm::Corners { min: p, max: q }) =
-            self.aabb.form();
-        let all = [point, p.to_array(), q.to_array(), n, [offset; 3]];
-        let [point, p, q, n, [d, ..]] = N::embed(&all)?;
+        let (p, q, is_by_center) = self.aabb.numbers();
+        let [point, p, q, n, [d, ..]] = N::embed(&[point, p, q, n, [offset; 3]])?;
 
         // The plane's point and the box's half-extents, in the frame of the box.
         let (mut v, mut h) = ([N::Length::ZERO; 3], [N::Length::ZERO; 3]);
         for i in 0..3 {
-            (v[i], h[i]) = match self.aabb.form() {
-                AabbForm::Center { .. } => (once::<N, _>(point[i] - p[i]), once::<N, _>(q[i])),
-                AabbForm::Corners { .. } => {
-                    let both = (point[i] - p[i]) + (point[i] - q[i]);
-                    (of_two::<N, _>(both), of_two::<N, _>(q[i] - p[i]))
-                }
+            (v[i], h[i]) = if is_by_center {
+                (once::<N, _>(point[i] - p[i]), once::<N, _>(q[i]))
+            } else {
+                let both = (point[i] - p[i]) + (point[i] - q[i]);
+                (of_two::<N, _>(both), of_two::<N, _>(q[i] - p[i]))
             };
         }
 

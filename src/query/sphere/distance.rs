@@ -18,7 +18,7 @@ use crate::query::orientation::Vector;
 use crate::query::ray_triangle::compare_quotients;
 use crate::robust::{Numeric, Predicate};
 use crate::scalar::Scalar;
-use crate::shape::{Aabb, AabbForm, Segment, ShapeError, Triangle, Vec3, finite};
+use crate::shape::{Aabb, Segment, ShapeError, Triangle, Vec3, finite};
 
 /// A quotient, and the errors of both numbers.
 struct Quotient<N: Arithmetic> {
@@ -136,17 +136,18 @@ impl<S: Scalar> Predicate<S> for Apart<'_, S, Aabb<S>> {
 
     #[inline]
     fn filter<N: Embeds<S>>(&self) -> Option<Option<S>> {
-        let (AabbForm::Center { center: p, half: q } | AabbForm::Corners { min: p, max: q }) =
-            self.shape.form();
-        let [p, q, c, [u, v, _]] = N::embed(&[p.to_array(), q.to_array(), self.point, units()])?;
-        let beyond = |i: usize| match self.shape.form() {
-            AabbForm::Corners { .. } => greatest(p[i] - c[i], c[i] - q[i]),
-            AabbForm::Center { .. } => (c[i] - p[i]).magnitude() - q[i],
+        let (p, q, is_by_center) = self.shape.numbers();
+        let [p, q, c, [u, v, _]] = N::embed(&[p, q, self.point, units()])?;
+        let beyond = |i: usize| {
+            if is_by_center {
+                (c[i] - p[i]).magnitude() - q[i]
+            } else {
+                greatest(p[i] - c[i], c[i] - q[i])
+            }
         };
         let d = three(|i| greatest(beyond(i), N::Length::ZERO));
         if !N::CERTAIN {
             // In floats faces of a box given by its centre are rounded.
-            let is_by_center = matches!(self.shape.form(), AabbForm::Center { .. });
             let size = largest(&d);
             if !is_by_center && size == N::Length::ZERO {
                 return Some(Some(S::ZERO));

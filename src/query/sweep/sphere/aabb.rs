@@ -73,9 +73,8 @@ impl<S: Scalar> Question<S, 6> for Passing<'_, S, Aabb<S>> {
 
     fn numbers(&self) -> [[S; 3]; 6] {
         let (p, q, _) = self.shape.numbers();
-        let (from, to) = (self.motion.from().to_array(), self.motion.to().to_array());
-        let center = self.sphere.center().to_array();
-        [center, [self.sphere.radius(); 3], from, to, p, q]
+        let [center, radius, from, to] = self.way();
+        [center, radius, from, to, p, q]
     }
 
     fn solve<N>(&self, numbers: &[[N::Length; 3]; 6]) -> Option<Self::Answer>

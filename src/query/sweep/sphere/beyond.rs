@@ -3,14 +3,14 @@
 //! The vectors to the end of the way are sums of the vectors to its start and of the way, and err by
 //! a roundoff of each and of themselves: the slack is the sum of these sizes.
 
+use super::Passing;
 use crate::arithmetic::{Arithmetic, Embeds, Number, greatest, largest, pick, three, two};
 use crate::query::capsule::{box_lies_beyond, triangle_lies_beyond};
 use crate::query::orientation::{Vector, from};
 use crate::query::sphere::{Ball, Reach, around};
-use crate::query::sweep::Motion;
 use crate::robust::{Numeric, Predicate, Uncertain};
 use crate::scalar::Scalar;
-use crate::shape::{Aabb, Sphere, Triangle};
+use crate::shape::{Aabb, Triangle};
 
 /// Roundoffs of a component less the radius, of slack and radius. To first order 4: 2 of the
 /// component, and 2 of the difference. `beyond.g` proves it.
@@ -19,18 +19,8 @@ const ASIDE: u16 = 8;
 /// The question whether the boundary of a shape lies farther from the way of a sphere's centre than
 /// its radius.
 pub(super) struct Beyond<'a, S, T> {
-    pub(super) sphere: &'a Sphere<S>,
-    pub(super) motion: &'a Motion<S>,
-    pub(super) shape: &'a T,
+    pub(super) passing: Passing<'a, S, T>,
     pub(super) ball: Ball,
-}
-
-impl<S: Scalar, T> Beyond<'_, S, T> {
-    /// The centre, three times the radius, and both ends of the motion.
-    pub(super) fn numbers(&self) -> [[S; 3]; 4] {
-        let (from, to) = (self.motion.from().to_array(), self.motion.to().to_array());
-        [self.sphere.center().to_array(), [self.sphere.radius(); 3], from, to]
-    }
 }
 
 /// Whether a coordinate alone keeps all points to which these vectors go beyond the radius.
@@ -61,7 +51,8 @@ impl<S: Scalar> Predicate<S> for Beyond<'_, S, Triangle<S>> {
 
     #[inline]
     fn filter<N: Embeds<S>>(&self) -> Option<bool> {
-        let ([center, radius, start, end], [a, b, c]) = (self.numbers(), self.shape.points());
+        let ([center, radius, start, end], [a, b, c]) =
+            (self.passing.way(), self.passing.shape.points());
         let [center, [r, ..], start, end, a, b, c] =
             N::embed(&[center, radius, start, end, a, b, c])?;
         let d = from::<N>(&end, &start);
@@ -82,8 +73,8 @@ impl<S: Scalar> Predicate<S> for Beyond<'_, S, Aabb<S>> {
 
     #[inline]
     fn filter<N: Embeds<S>>(&self) -> Option<bool> {
-        let (p, q, is_by_center) = self.shape.numbers();
-        let [center, radius, start, end] = self.numbers();
+        let (p, q, is_by_center) = self.passing.shape.numbers();
+        let [center, radius, start, end] = self.passing.way();
         let [center, [r, ..], start, end, p, q] = N::embed(&[center, radius, start, end, p, q])?;
         let (d, to_p) = (from::<N>(&end, &start), from::<N>(&p, &center));
         // From each end to both extreme corners.

@@ -61,6 +61,14 @@ struct Passing<'a, S, T> {
     shape: &'a T,
 }
 
+impl<S: Scalar, T> Passing<'_, S, T> {
+    /// The centre, three times the radius, and both ends of the motion.
+    fn way(&self) -> [[S; 3]; 4] {
+        let (from, to) = (self.motion.from().to_array(), self.motion.to().to_array());
+        [self.sphere.center().to_array(), [self.sphere.radius(); 3], from, to]
+    }
+}
+
 impl<'a, S: Scalar, T> Passing<'a, S, T>
 where
     Beyond<'a, S, T>: Predicate<S, Answer = bool>,
@@ -69,9 +77,9 @@ where
 {
     /// Whether the sphere meets the shape on its way, or its points nearer than the radius.
     fn meets(&self, ball: Ball) -> bool {
-        let Self { sphere, motion, shape } = *self;
-        !S::evaluate_numeric(&Beyond { sphere, motion, shape, ball })
-            || self.center().is_some_and(|center| center.meets_along(motion, shape))
+        let passing = Passing { ..*self };
+        !S::evaluate_numeric(&Beyond { passing, ball })
+            || self.center().is_some_and(|center| center.meets_along(self.motion, self.shape))
     }
 
     /// The centre, as a box. It is finite.

@@ -135,9 +135,8 @@ impl<S: Scalar> Question<S, 7> for Passing<'_, S, Triangle<S>> {
     type Answer = SphereContact<S, Feature>;
 
     fn numbers(&self) -> [[S; 3]; 7] {
-        let (from, to) = (self.motion.from().to_array(), self.motion.to().to_array());
-        let [a, b, c] = self.shape.points();
-        [self.sphere.center().to_array(), [self.sphere.radius(); 3], from, to, a, b, c]
+        let ([center, radius, from, to], [a, b, c]) = (self.way(), self.shape.points());
+        [center, radius, from, to, a, b, c]
     }
 
     fn solve<N>(&self, numbers: &[[N::Length; 3]; 7]) -> Option<Self::Answer>
