@@ -116,12 +116,8 @@ impl<S: Scalar, const N: usize> Rays<S, N> {
     #[must_use]
     pub fn hit_moller_trumbore(&self, triangle: &Triangle<S>, cull: Cull) -> Hits<S, N> {
         let keeps = (cull.keeps(Facing::Front), cull.keeps(Facing::Back));
-        let [a, b, c] = triangle.points();
-        let triangle = [rounded(a), rounded(b), rounded(c)];
-        Hits::each(|k| {
-            let (o, d) = self.at(k);
-            resolve(moller_trumbore(o, d, triangle), &self.limits(k, keeps))
-        })
+        let triangle = triangle.points();
+        Hits::each(|k| resolve(moller_trumbore(self.at(k), triangle), &self.limits(k, keeps)))
     }
 
     /// [`stored_normal::hit`](crate::published::stored_normal::hit) for N rays at once: the
@@ -141,16 +137,12 @@ impl<S: Scalar, const N: usize> Rays<S, N> {
     #[inline]
     #[must_use]
     pub fn hit_volumes(&self, triangle: &Triangle<S>, cull: Cull) -> Hits<S, N> {
-        let [a, b, c] = triangle.points();
-        self.hit_stored(store([rounded(a), rounded(b), rounded(c)]), cull)
+        self.hit_stored(store(triangle.points()), cull)
     }
 
     #[inline(always)]
     fn hit_stored(&self, triangle: Stored<S>, cull: Cull) -> Hits<S, N> {
         let keeps = (cull.keeps(Facing::Front), cull.keeps(Facing::Back));
-        Hits::each(|k| {
-            let (o, d) = self.at(k);
-            resolve(stored_normal(o, d, triangle), &self.limits(k, keeps))
-        })
+        Hits::each(|k| resolve(stored_normal(self.at(k), triangle), &self.limits(k, keeps)))
     }
 }

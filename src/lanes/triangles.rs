@@ -3,7 +3,7 @@ use crate::arithmetic::Each;
 use crate::published::moller_trumbore::moller_trumbore;
 use crate::published::stored_normal::{NormalTriangle, Stored, store, stored_normal};
 use crate::published::watertight::{ShearedRay, are_zero, edge_functions};
-use crate::published::{Limits, resolve, rounded};
+use crate::published::{Limits, line, resolve, rounded};
 use crate::query::Cull;
 use crate::scalar::Scalar;
 use crate::shape::{Ray, Triangle, Vec3};
@@ -160,15 +160,18 @@ impl<S: Scalar, const N: usize> NormalTriangles<S, N> {
     #[inline]
     #[must_use]
     pub fn get(&self, k: usize) -> Option<NormalTriangle<S>> {
+        (k < N).then(|| NormalTriangle { stored: self.lane(k) })
+    }
+
+    #[inline(always)]
+    fn lane(&self, k: usize) -> [[S; 3]; 4] {
         let [a, e1, e2, n] = &self.stored;
-        (k < N)
-            .then(|| NormalTriangle { stored: [lane(a, k), lane(e1, k), lane(e2, k), lane(n, k)] })
+        [lane(a, k), lane(e1, k), lane(e2, k), lane(n, k)]
     }
 
     #[inline(always)]
     pub(super) fn at(&self, k: usize) -> Stored<S> {
-        let [a, e1, e2, n] = &self.stored;
-        [rounded(lane(a, k)), rounded(lane(e1, k)), rounded(lane(e2, k)), rounded(lane(n, k))]
+        self.lane(k).each(rounded)
     }
 }
 
@@ -181,12 +184,8 @@ impl<S: Scalar, const N: usize> Triangles<S, N> {
     #[must_use]
     pub fn hit_moller_trumbore(&self, ray: &Ray<S>, cull: Cull) -> Hits<S, N> {
         let limits = Limits::new(ray, cull);
-        let (o, d) = (rounded(ray.origin().to_array()), rounded(ray.direction().to_array()));
-        Hits::each(|k| {
-            let [a, b, c] = self.at(k);
-            let triangle = [rounded(a), rounded(b), rounded(c)];
-            resolve(moller_trumbore(o, d, triangle), &limits)
-        })
+        let line = line(ray);
+        Hits::each(|k| resolve(moller_trumbore(line, self.at(k)), &limits))
     }
 
     /// [`volumes::hit`](crate::published::volumes::hit) on each of N triangles at once: the
@@ -197,12 +196,8 @@ impl<S: Scalar, const N: usize> Triangles<S, N> {
     #[must_use]
     pub fn hit_volumes(&self, ray: &Ray<S>, cull: Cull) -> Hits<S, N> {
         let limits = Limits::new(ray, cull);
-        let (o, d) = (rounded(ray.origin().to_array()), rounded(ray.direction().to_array()));
-        Hits::each(|k| {
-            let [a, b, c] = self.at(k);
-            let stored = store([rounded(a), rounded(b), rounded(c)]);
-            resolve(stored_normal(o, d, stored), &limits)
-        })
+        let line = line(ray);
+        Hits::each(|k| resolve(stored_normal(line, store(self.at(k))), &limits))
     }
 }
 
@@ -215,8 +210,8 @@ impl<S: Scalar, const N: usize> NormalTriangles<S, N> {
     #[must_use]
     pub fn hit(&self, ray: &Ray<S>, cull: Cull) -> Hits<S, N> {
         let limits = Limits::new(ray, cull);
-        let (o, d) = (rounded(ray.origin().to_array()), rounded(ray.direction().to_array()));
-        Hits::each(|k| resolve(stored_normal(o, d, self.at(k)), &limits))
+        let line = line(ray);
+        Hits::each(|k| resolve(stored_normal(line, self.at(k)), &limits))
     }
 }
 

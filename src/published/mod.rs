@@ -52,4 +52,4 @@ pub mod volumes;
 pub mod watertight;
 
 pub(crate) use resolve::{Limits, resolve};
-pub(crate) use vector::{Triple, rounded};
+pub(crate) use vector::{Triple, line, rounded};

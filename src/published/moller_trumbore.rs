@@ -1,7 +1,7 @@
 //! Ray and triangle by the determinants of Möller and Trumbore.
 
 use super::resolve::{Fractions, Limits, resolve};
-use super::vector::{Triple, cross, dot, minus, rounded};
+use super::vector::{Triple, cross, dot, line, minus, rounded};
 use crate::query::{Cull, Hit};
 use crate::scalar::Scalar;
 use crate::shape::{Ray, Triangle};
@@ -50,21 +50,15 @@ use crate::shape::{Ray, Triangle};
 #[inline]
 #[must_use]
 pub fn hit<S: Scalar>(ray: &Ray<S>, triangle: &Triangle<S>, cull: Cull) -> Option<Hit<S>> {
-    let [a, b, c] = triangle.points();
-    let fractions = moller_trumbore(
-        rounded(ray.origin().to_array()),
-        rounded(ray.direction().to_array()),
-        [rounded(a), rounded(b), rounded(c)],
-    );
-    resolve(fractions, &Limits::new(ray, cull)).into_hit()
+    resolve(moller_trumbore(line(ray), triangle.points()), &Limits::new(ray, cull)).into_hit()
 }
 
 #[inline(always)]
 pub(crate) fn moller_trumbore<S: Scalar>(
-    origin: Triple<S>,
-    direction: Triple<S>,
-    [a, b, c]: [Triple<S>; 3],
+    (origin, direction): (Triple<S>, Triple<S>),
+    [a, b, c]: [[S; 3]; 3],
 ) -> Fractions<S> {
+    let (a, b, c) = (rounded(a), rounded(b), rounded(c));
     let (e1, e2, s) = (minus(b, a), minus(c, a), minus(origin, a));
     let p = cross(direction, e2);
     let q = cross(s, e1);

@@ -2,7 +2,7 @@
 
 use super::resolve::{Limits, none_below_zero};
 use super::stored_normal::store;
-use super::vector::{by_index, dot, minus, rounded};
+use super::vector::{by_index, dot, line, minus, rounded};
 use crate::arithmetic::{Number, Rounded, pick, turn};
 use crate::query::{Candidate, Cull, Hit};
 use crate::scalar::Scalar;
@@ -28,8 +28,8 @@ impl<S: Scalar> ProjectedTriangle<S> {
     #[inline]
     #[must_use]
     pub fn new(triangle: &Triangle<S>) -> Self {
-        let [a, b, c] = triangle.points();
-        let [_, e1, e2, n] = store([rounded(a), rounded(b), rounded(c)]);
+        let points = triangle.points();
+        let [_, e1, e2, n] = store(points);
         let [x, y, z] = [n[0].magnitude(), n[1].magnitude(), n[2].magnitude()];
         let dropped = if x >= y && x >= z {
             0
@@ -43,7 +43,7 @@ impl<S: Scalar> ProjectedTriangle<S> {
         let up = |x: Rounded<S>| if area < Rounded::ZERO { (-x).0 } else { x.0 };
         let flat = |e| [up(*pick(&e, j)), up(*pick(&e, k))];
         Self {
-            a,
+            a: points[0],
             normal: [n[0].0, n[1].0, n[2].0],
             edges: [flat(e1), flat(e2)],
             area: up(area),
@@ -82,8 +82,8 @@ fn projected<S: Scalar>(
 ) -> Candidate<S> {
     let zero = Rounded::ZERO;
     let ProjectedTriangle { a, normal, edges: [e1, e2], area, left: [j, k] } = *triangle;
-    let s = minus(rounded(ray.origin().to_array()), rounded(a));
-    let d = rounded(ray.direction().to_array());
+    let (o, d) = line(ray);
+    let s = minus(o, rounded(a));
     let n = rounded(normal);
     let det = zero - dot(d, n);
     let front = det > zero;

@@ -1,8 +1,8 @@
 //! Ray and triangle by the stored normal.
 
 use super::resolve::{Fractions, Limits, resolve};
-use super::vector::{Triple, cross, dot, minus, rounded};
-use crate::arithmetic::{Number, Rounded};
+use super::vector::{Triple, cross, dot, line, minus, rounded};
+use crate::arithmetic::{Each, Number, Rounded};
 use crate::query::{Cull, Hit};
 use crate::scalar::Scalar;
 use crate::shape::{Ray, Triangle, Vec3};
@@ -18,7 +18,8 @@ pub struct NormalTriangle<S> {
 pub(crate) type Stored<S> = [Triple<S>; 4];
 
 #[inline(always)]
-pub(crate) fn store<S: Scalar>([a, b, c]: [Triple<S>; 3]) -> Stored<S> {
+pub(crate) fn store<S: Scalar>([a, b, c]: [[S; 3]; 3]) -> Stored<S> {
+    let (a, b, c) = (rounded(a), rounded(b), rounded(c));
     let (e1, e2) = (minus(b, a), minus(c, a));
     [a, e1, e2, cross(e1, e2)]
 }
@@ -30,10 +31,8 @@ impl<S: Scalar> NormalTriangle<S> {
     #[inline]
     #[must_use]
     pub fn new(triangle: &Triangle<S>) -> Self {
-        let [a, b, c] = triangle.points();
-        let stored = store([rounded(a), rounded(b), rounded(c)]);
-        let plain = |v: Triple<S>| [v[0].0, v[1].0, v[2].0];
-        Self { stored: [plain(stored[0]), plain(stored[1]), plain(stored[2]), plain(stored[3])] }
+        let plain = |v: Triple<S>| v.each(|x| x.0);
+        Self { stored: store(triangle.points()).each(plain) }
     }
 
     /// The normal, (b − a) × (c − a), rounded. Its length is twice the area.
@@ -45,8 +44,7 @@ impl<S: Scalar> NormalTriangle<S> {
 
     #[inline(always)]
     pub(crate) fn rounded(&self) -> Stored<S> {
-        let [a, e1, e2, n] = self.stored;
-        [rounded(a), rounded(e1), rounded(e2), rounded(n)]
+        self.stored.each(rounded)
     }
 }
 
@@ -97,17 +95,12 @@ pub fn t<S: Scalar>(ray: &Ray<S>, triangle: &NormalTriangle<S>, cull: Cull, miss
 
 #[inline(always)]
 fn by_normal<S: Scalar>(ray: &Ray<S>, triangle: &NormalTriangle<S>) -> Fractions<S> {
-    stored_normal(
-        rounded(ray.origin().to_array()),
-        rounded(ray.direction().to_array()),
-        triangle.rounded(),
-    )
+    stored_normal(line(ray), triangle.rounded())
 }
 
 #[inline(always)]
 pub(crate) fn stored_normal<S: Scalar>(
-    origin: Triple<S>,
-    direction: Triple<S>,
+    (origin, direction): (Triple<S>, Triple<S>),
     [a, e1, e2, n]: Stored<S>,
 ) -> Fractions<S> {
     let s = minus(origin, a);

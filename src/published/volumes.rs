@@ -2,7 +2,7 @@
 
 use super::resolve::{Limits, resolve};
 use super::stored_normal::{store, stored_normal};
-use super::vector::rounded;
+use super::vector::line;
 use crate::query::{Cull, Hit};
 use crate::scalar::Scalar;
 use crate::shape::{Ray, Triangle};
@@ -24,11 +24,6 @@ use crate::shape::{Ray, Triangle};
 #[inline]
 #[must_use]
 pub fn hit<S: Scalar>(ray: &Ray<S>, triangle: &Triangle<S>, cull: Cull) -> Option<Hit<S>> {
-    let [a, b, c] = triangle.points();
-    let fractions = stored_normal(
-        rounded(ray.origin().to_array()),
-        rounded(ray.direction().to_array()),
-        store([rounded(a), rounded(b), rounded(c)]),
-    );
+    let fractions = stored_normal(line(ray), store(triangle.points()));
     resolve(fractions, &Limits::new(ray, cull)).into_hit()
 }
