@@ -142,7 +142,6 @@ mod settled;
 mod sides;
 mod signs;
 mod solid;
-mod sums;
 #[cfg(test)]
 mod tests;
 mod unit;

@@ -38,7 +38,6 @@ mod ray;
 
 mod closest;
 
-mod inside;
 mod pairs;
 mod sweep;
 

@@ -4,7 +4,8 @@
 //! documentation. The kernel and the error bound with its derivation are in files
 //! beside it; a pair with a short kernel has fewer files.
 //!
-//! `sphere` holds all pairs with a sphere, `capsule` those with a capsule, by the same kernel.
+//! `sphere` holds all pairs with a sphere, `capsule` those with a capsule, by the same kernel, and
+//! `point` those with a point.
 //!
 //! Shared by several pairs:
 //! * `line_aabb`: the slabs of rays and segments; `line_obb`: rays and segments against an oriented
@@ -34,9 +35,7 @@ mod obb_rows;
 mod obb_short;
 mod one_sided;
 mod plane_aabb;
-mod point_aabb;
-mod point_obb;
-mod point_triangle;
+mod point;
 mod polygon_aabb;
 mod segment_aabb;
 mod segment_triangle;

@@ -4,11 +4,8 @@
 //! the box's eight corners matter, the farthest and the least far along the plane's normal. Here
 //! both are tested at once, from the centre of the box and its radius along the normal.
 
-mod error_bound;
-
-use self::error_bound::error_bound;
 use super::Overlaps;
-use crate::arithmetic::{Embeds, Number, greatest, largest, of_two, once};
+use crate::arithmetic::{Arithmetic, Embeds, Number, greatest, largest, of_two, once};
 use crate::robust::{Predicate, Profile, Uncertain};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, Plane, PlaneForm};
@@ -133,4 +130,32 @@ impl<S: Scalar> Overlaps<Aabb<S>> for Plane<S> {
     fn overlaps(&self, aabb: &Aabb<S>) -> bool {
         self.side_of(aabb) == Side::Both
     }
+}
+
+// The error of the computed distance between a plane and a corner of a box, in units of u·(N·R +
+// |d|), with u the unit roundoff.
+//
+// N is the greatest magnitude among the components of the normal n. v is the plane's point and h
+// the half-extents, both in the box's frame, and R is their greatest magnitude. The kernel
+// computes n·v and Σ h·|n| and subtracts them. Each v errs by up to 3 (see
+// `triangle_aabb::error_bound`). The count to first order is 36.
+//
+// For a plane given by its offset d, v is the world's origin in the box's frame and errs by 1.
+// Adding d adds 1 rounding, and the count is 33, plus 2 for |d|.
+//
+// `error_bound.g` proves `PLANE`, second orders and underflow included.
+
+/// Roundoffs in the distance.
+const PLANE: u16 = 40;
+
+/// The bound for normals up to `normal`, lengths up to `size`, and an offset times one of up to
+/// `offset`. `None` if a size is out of range.
+#[inline(always)]
+fn error_bound<N: Arithmetic>(
+    normal: N::Length,
+    size: N::Length,
+    offset: N::Area,
+) -> Option<N::Area> {
+    let sum = N::area(normal, size) + offset;
+    (normal.in_range() && size.in_range()).then(|| sum.error(PLANE))
 }

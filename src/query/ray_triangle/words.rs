@@ -9,8 +9,8 @@ use super::{Facing, Hit};
 use crate::arithmetic::{
     InWholeWord, InWord, Number, WholeWord, Word, compare, cross_words, dot_words, first_sign,
 };
+use crate::query::triangle_aabb::words::{each, words};
 use crate::scalar::Scalar;
-use crate::shape::Vec3;
 
 /// A crossing that counts, with all volumes except t nonnegative.
 pub(super) struct Counted<V> {
@@ -138,15 +138,10 @@ pub(super) fn rounded<S: Scalar + InWholeWord<W>, W: WholeWord>(
     }
 }
 
-#[inline(always)]
-fn words<S: InWord<W> + Copy, W: Word>(v: &Vec3<S>) -> [W; 3] {
-    [v.x.in_word(), v.y.in_word(), v.z.in_word()]
-}
-
 /// to − from, wrapped.
 #[inline(always)]
 fn from<W: Word>(to: &[W; 3], from: &[W; 3]) -> [W; 3] {
-    [to[0].minus(from[0]), to[1].minus(from[1]), to[2].minus(from[2])]
+    each(*to, *from, W::minus)
 }
 
 #[cfg(all(test, feature = "fixed"))]

@@ -5,7 +5,7 @@
 #
 # Proved: |computed − true| is at most the bound as it is computed, for a face, an edge and the
 # plane, underflow included; and nothing overflows. On a face r is compared after the bound has
-# been added or subtracted: that rounding is part of the sum proved. `point_obb` takes their
+# been added or subtracted: that rounding is part of the sum proved. `point` takes their
 # difference, and the same bound.
 #
 # Axes are divided by A, which is 1 or more, lengths by R, and half-extents by R/A. R is the

@@ -8,6 +8,7 @@ use core::marker::PhantomData;
 use crate::arithmetic::{Each, InWord, Number, WholeVolume, WholeWord, cross_words, dot_words};
 use crate::arithmetic::{Parts, pick, turn};
 use crate::query::relation::{Reading, Relation, of_gaps};
+use crate::query::triangle_aabb::words::each;
 use crate::robust::{ExactSum, Vector, add_determinant, differences, singles};
 use crate::scalar::Scalar;
 
@@ -114,9 +115,7 @@ impl<W: WholeWord> ExactParallelepiped<InWords<W>> {
         one: W,
     ) -> Self {
         let words = |x: [S; 3]| [x[0].in_word(), x[1].in_word(), x[2].in_word()];
-        let from = |to: [W; 3], from: [W; 3]| {
-            [to[0].minus(from[0]), to[1].minus(from[1]), to[2].minus(from[2])]
-        };
+        let from = |to: [W; 3], from: [W; 3]| each(to, from, W::minus);
         let ([a, b, c], center) = ([words(a), words(b), words(c)], words(center));
         Self {
             t: [from(a, center), from(b, center), from(c, center)],
