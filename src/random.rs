@@ -11,15 +11,20 @@ impl Random {
         let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
         z ^ (z >> 31)
     }
-}
 
-#[cfg(feature = "fixed")]
-impl Random {
+    /// A number from −1 to 1.
+    pub(crate) fn number(&mut self) -> f64 {
+        (self.bits() >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+    }
+
     /// An integer from zero to n − 1.
     pub(crate) fn below(&mut self, n: u64) -> i64 {
         ((u128::from(self.bits()) * u128::from(n)) >> 64) as i64
     }
+}
 
+#[cfg(feature = "fixed")]
+impl Random {
     /// An integer from −n to n.
     pub(crate) fn within(&mut self, n: u32) -> i64 {
         let z = self.bits() as u32;
@@ -27,7 +32,7 @@ impl Random {
     }
 
     /// A number of `bits` bits without its sign: any, at the end of the range, or from a small set.
-    pub(crate) fn number(&mut self, kind: i64, bits: u32) -> i64 {
+    pub(crate) fn of_bits(&mut self, kind: i64, bits: u32) -> i64 {
         let end = (1 << bits) - 1;
         match kind {
             0 => self.below(2 << bits) - end - 1,

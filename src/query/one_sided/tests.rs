@@ -2,22 +2,20 @@
 
 use super::*;
 use crate::arithmetic::{Each, SplitSum};
+use crate::random::Random;
 
 /// All ways to hold an area agree, on the widest shapes that a word permits and in contact.
 /// `tests/` checks that they are right.
 #[test]
 fn areas_agree() {
-    let mut seed = 1_u32;
-    let mut below = |n: u32| {
-        seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-        ((u64::from(seed) * u64::from(n)) >> 32) as i32
-    };
+    let mut random = Random(1);
+    let mut below = |n: u64| random.below(n) as i32;
     for (bits, is_narrow) in [(18, true), (29, false)] {
         let far = (1 << bits) - 1;
         let mut apart = 0;
         for case in 0..100_000 {
             let projections = [(); 3].each(|()| match case % 3 {
-                0 => ([(); 3].each(|()| below(2 * far as u32 + 1) - far), below(1 << bits)),
+                0 => ([(); 3].each(|()| below(2 * far as u64 + 1) - far), below(1 << bits)),
                 1 => ([(); 3].each(|()| [-far, -1, 0, 1, far][below(5) as usize]), far * below(2)),
                 _ => ([(); 3].each(|()| below(13) - 4), 4),
             });

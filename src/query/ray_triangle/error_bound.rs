@@ -31,6 +31,7 @@ mod tests {
     use super::super::refined::Refined;
     use super::super::residual::Numbers;
     use crate::arithmetic::{Each, Filtered, Float};
+    use crate::random::Random;
     use crate::scalar::Backend;
     use crate::shape::{Ray, Triangle};
 
@@ -125,16 +126,12 @@ mod tests {
 
     #[test]
     fn no_error_exceeds_its_bound() {
-        let mut seed = 1_u64;
-        let mut random = || {
-            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
-            (seed >> 11) as f64 / (1_u64 << 53) as f64 * 2.0 - 1.0
-        };
+        let mut random = Random(1);
         let (mut of_some_size, mut of_some_size_refined) = (0, 0);
         for case in 0..20_000 {
             // From vectors of equal size to all small except one vertex.
             let small = Float::scaled(1, -(case % 50));
-            let mut vector = |size: f64| [(); 3].each(|()| random() * size);
+            let mut vector = |size: f64| [(); 3].each(|()| random.number() * size);
             let case = [vector(1.0), vector(small), vector(small), vector(small), vector(1.0)];
             of_some_size += u32::from(check(case, 2.0));
             of_some_size_refined += u32::from(check_refined(case, 1.0 / 64.0));
@@ -145,25 +142,21 @@ mod tests {
 
     #[test]
     fn numbers_are_as_near_as_they_say() {
-        let mut seed = 3_u64;
-        let mut random = || {
-            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
-            (seed >> 11) as f64 / (1_u64 << 53) as f64 * 2.0 - 1.0
-        };
+        let mut random = Random(3);
         let mut of_some_size = 0;
         for case in 0..30_000_i32 {
             // Slivers, far origins and positions far from zero; a third of the rays at edges.
             let [thin, far, away] = [case % 20, case % 7 * 3, case % 11 * 3];
-            let mut vector = |size: f64| [(); 3].each(|()| random() * size);
+            let mut vector = |size: f64| [(); 3].each(|()| random.number() * size);
             let (a, ab) = (vector(Float::scaled(1, away)), vector(1.0));
             let (ac, way) = (vector(Float::scaled(1, -thin)), vector(Float::scaled(1, far)));
             let plus = |a: [f64; 3], b: [f64; 3]| [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
             let (b, c) = (plus(a, ab), plus(a, if case % 2 == 0 { plus(ab, ac) } else { ac }));
-            let (o, mut u) = (plus(a, way), random().abs());
+            let (o, mut u) = (plus(a, way), random.number().abs());
             if case % 3 == 0 {
                 u *= <f64 as Float>::scaled(1, -case % 60);
             }
-            let v = (1.0 - u) * random().abs();
+            let v = (1.0 - u) * random.number().abs();
             let aim = [0, 1, 2].each(|i| (b[i] - a[i]) * u + (c[i] - a[i]) * v + (a[i] - o[i]));
             let is_hit = Ray::new(o, aim).is_ok_and(|ray| {
                 Triangle::new(a, b, c).is_ok_and(|triangle| ray.is_hit(&triangle))
@@ -176,11 +169,8 @@ mod tests {
     /// Integers of up to 24 bits, and of far fewer, some rays in the plane or through an edge.
     #[test]
     fn short_numbers_lose_nothing() {
-        let mut seed = 2_u64;
-        let mut whole = |most: i64| {
-            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
-            ((seed >> 33) as i64 % (2 * most + 1) - most) as f64
-        };
+        let mut random = Random(2);
+        let mut whole = |most: i64| (random.below(2 * most as u64 + 1) - most) as f64;
         let mut zeros = 0;
         for case in 0..20_000 {
             let most = if case % 2 == 0 { 2 } else { (1 << 23) - 1 };

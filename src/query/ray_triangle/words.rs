@@ -166,7 +166,7 @@ mod tests {
         let (mut hits, mut on_edges) = (0, 0);
         for case in 0..6_000 {
             let kind = case % 3;
-            let mut point = || [(); 3].each(|()| rng.number(kind, bits));
+            let mut point = || [(); 3].each(|()| rng.of_bits(kind, bits));
             let [a, b, c, o, aside] = [point(), point(), point(), point(), point()];
             // Toward a point of the triangle.
             let (i, j) = (rng.below(5), rng.below(5));

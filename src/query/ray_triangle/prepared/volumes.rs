@@ -195,19 +195,16 @@ mod tests {
 
     use super::*;
     use crate::query::ray_triangle::kernel::truth::{exact_crossing, exceeds};
+    use crate::random::Random;
 
     #[test]
     fn no_error_exceeds_its_bound() {
-        let mut seed = 5_u64;
-        let mut random = || {
-            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
-            (seed >> 11) as f64 / (1_u64 << 53) as f64 * 2.0 - 1.0
-        };
+        let mut random = Random(5);
         let mut of_some_size = [0; 4];
         for case in 0..20_000_i32 {
             // Close together and far from the origin; small triangles; long directions.
             let [small, far, long] = [case % 5 * 4, case % 7 * 3, case % 3 * 9];
-            let mut vector = |size: f64| [(); 3].each(|()| random() * size);
+            let mut vector = |size: f64| [(); 3].each(|()| random.number() * size);
             let away = vector(Float::scaled(1, far));
             let near = |p: [f64; 3]| [0, 1, 2].each(|i| p[i] + away[i]);
             let size = Float::scaled(1, -small);

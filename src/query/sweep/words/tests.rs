@@ -19,7 +19,7 @@ pub(super) fn cases<S: Scalar>(
     let rng = &mut Random(u64::from(bits));
     for case in 0..12_000 {
         let kind = case % 4;
-        let mut point = || [(); 3].each(|()| rng.number(kind, bits));
+        let mut point = || [(); 3].each(|()| rng.of_bits(kind, bits));
         let [a, b, mut c, p, q, from, mut to] = [(); 7].map(|()| point());
         match rng.below(8) {
             // Without area, without motion, along an edge, in the plane.
