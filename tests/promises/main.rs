@@ -1,6 +1,8 @@
 //! The promises of the crate, with a module for each. Oracles and sets of cases are in the package
 //! `septum-kit`, `tests/kit/`.
 
+mod any_bits;
+
 // Shapes: valid and invalid input.
 mod bounds;
 mod construction;

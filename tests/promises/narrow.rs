@@ -4,6 +4,7 @@
 //!
 //!     RUSTC_WORKSPACE_WRAPPER=$PWD/.ci/narrow cargo test --test narrow
 
+mod any_bits;
 mod every_size;
 mod exact_oracle;
 mod extremes;

@@ -3,12 +3,13 @@
 
 use core::cmp::Ordering;
 
-use fixed::types::{I1F15, I4F4, I16F0, I33F31};
 use proptest::prelude::*;
 use septum::prepared::{HitRay, HitTriangle};
 use septum::{Cull, Facing, Feature, HitRules};
 use septum_kit::rays::{RayCase, RaySet, crossing};
-use septum_kit::{Rng, Sample, for_every_scalar, three};
+use septum_kit::{Each, Rng, Sample, for_every_scalar, for_scalars, three};
+
+use super::any_bits::AnyBits;
 
 /// All exact queries about one case, compared with the oracle.
 fn check<S: Sample>(case: &RayCase<S>) {
@@ -109,60 +110,50 @@ fn tiny_directions_in_f64() {
 }
 
 /// Fifteen numbers and two ends chosen from four and their negatives, so that many coincide.
-fn case_of<S: Sample>(number: impl Strategy<Value = S>) -> impl Strategy<Value = RayCase<S>> {
-    let pool = proptest::collection::vec(number, 4);
+fn case_of<S: Sample>(pool: [S; 4], picks: &[usize; 15], ends: [usize; 2]) -> RayCase<S> {
+    let pick = |n: usize| match n {
+        8 => S::ZERO,
+        n if n < 4 => pool[n],
+        n => S::from_ordinal(pool[n % 4].ordinal().saturating_neg()),
+    };
+    let row = |r: usize| three(|i| pick(picks[3 * r + i]));
+    let end = |n: usize| (n < 9).then(|| pick(n));
+    RayCase {
+        origin: row(0),
+        direction: row(1),
+        vertices: [row(2), row(3), row(4)],
+        t_min: end(ends[0]),
+        t_max: end(ends[1]),
+    }
+}
+
+/// Checks numbers of these bits, and which of them are picked; what is no ray is drawn again.
+fn all(bits: BoxedStrategy<i64>, check: &dyn Fn([i64; 4], &[usize; 15], [usize; 2]) -> bool) {
+    let config = ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(6_000) };
+    let config = ProptestConfig { max_global_rejects: config.max_local_rejects, ..config };
     let picks = proptest::array::uniform15(0..9_usize);
     let ends = proptest::array::uniform2(0..10_usize);
-    (pool, picks, ends)
-        .prop_map(|(pool, picks, ends)| {
-            let pick = |n: usize| match n {
-                8 => S::ZERO,
-                n if n < 4 => pool[n],
-                n => S::from_ordinal(pool[n % 4].ordinal().saturating_neg()),
-            };
-            let row = |r: usize| three(|i| pick(picks[3 * r + i]));
-            let end = |n: usize| (n < 9).then(|| pick(n));
-            RayCase {
-                origin: row(0),
-                direction: row(1),
-                vertices: [row(2), row(3), row(4)],
-                t_min: end(ends[0]),
-                t_max: end(ends[1]),
-            }
-        })
-        .prop_filter("a ray", RayCase::is_valid)
+    proptest!(config, |(bits in proptest::array::uniform4(bits), picks in picks, ends in ends)| {
+        prop_assume!(check(bits, &picks, ends), "a ray");
+    });
 }
 
-proptest! {
-    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(6_000) })]
-
-    #[test]
-    fn any_f32(case in case_of(proptest::num::f32::ANY.prop_filter("finite", |x| x.is_finite()))) {
-        check(&case);
-    }
-
-    #[test]
-    fn any_f64(case in case_of(proptest::num::f64::ANY.prop_filter("finite", |x| x.is_finite()))) {
-        check(&case);
-    }
-
-    #[test]
-    fn any_i4f4(case in case_of(any::<i8>().prop_map(I4F4::from_bits))) {
-        check(&case);
-    }
-
-    #[test]
-    fn any_i1f15(case in case_of(any::<i16>().prop_map(I1F15::from_bits))) {
-        check(&case);
-    }
-
-    #[test]
-    fn any_i16f0(case in case_of(any::<i16>().prop_map(I16F0::from_bits))) {
-        check(&case);
-    }
-
-    #[test]
-    fn any_i33f31(case in case_of(any::<i64>().prop_map(I33F31::from_bits))) {
-        check(&case);
-    }
+fn any<S: AnyBits>() {
+    all(S::any_bits(), &|bits, picks, ends| {
+        let case = case_of(bits.each(S::of_bits), picks, ends);
+        let is_ray = case.is_valid();
+        if is_ray {
+            check(&case);
+        }
+        is_ray
+    });
 }
+
+for_scalars!([
+    f32: f32,
+    f64: f64,
+    i4f4: fixed::types::I4F4,
+    i1f15: fixed::types::I1F15,
+    i16f0: fixed::types::I16F0,
+    i33f31: fixed::types::I33F31,
+] any);

@@ -1,9 +1,7 @@
 //! Unit normals, compared with integers of any size.
 
 use dashu_int::IBig;
-use fixed::types::{
-    I0F8, I0F16, I0F64, I1F7, I1F15, I1F63, I4F4, I8F0, I8F8, I16F16, I32F32, I64F0,
-};
+use fixed::types::{I0F8, I0F16, I0F64, I1F7, I1F15, I4F4, I8F0, I16F16, I64F0};
 use proptest::prelude::*;
 use septum::interop::FixedPoint;
 use septum::{Facing, Feature, Hit, Triangle, Vec3};
@@ -11,7 +9,7 @@ use septum::{Facing, Feature, Hit, Triangle, Vec3};
 use septum_kit::Rng;
 #[cfg(feature = "libm")]
 use septum_kit::compare_with_unit;
-use septum_kit::{Each, Points, Sample, is_nearest_to_unit, normal_of, three};
+use septum_kit::{Each, Points, Sample, for_scalars, is_nearest_to_unit, normal_of, three};
 
 fn triangle<S: Sample>(points: &Points<S>) -> Triangle<S> {
     Triangle::new(points[0], points[1], points[2]).unwrap()
@@ -50,59 +48,52 @@ fn nearest_on_every_small_triangle() {
     every_small::<I0F64>();
 }
 
-/// Any coordinate; the ends of the type; small ones.
-fn coordinate<S: Sample>() -> impl Strategy<Value = S> {
-    let bits = move |x: i64, less: u32| S::from_ordinal(x >> (63 - S::WHOLE_BITS) >> less);
+/// Any coordinate of a type of so many bits and a sign; the ends of the type; small ones.
+fn coordinate(whole_bits: u32) -> impl Strategy<Value = i64> {
+    let (least, shift) = (-1_i64 << whole_bits, 63 - whole_bits);
     prop_oneof![
-        3 => any::<i64>().prop_map(move |x| bits(x, 0)),
-        1 => (any::<i64>(), 0..S::WHOLE_BITS).prop_map(move |(x, less)| bits(x, less)),
-        1 => (any::<bool>(), -2_i64..=2)
-            .prop_map(|(up, n)| if up { S::GREATEST } else { S::LEAST }.moved(n)),
+        3 => any::<i64>().prop_map(move |x| x >> shift),
+        1 => (any::<i64>(), 0..whole_bits).prop_map(move |(x, less)| x >> shift >> less),
+        1 => (any::<bool>(), -2_i64..=2).prop_map(move |(up, n)| {
+            if up { !least } else { least }.saturating_add(n).clamp(least, !least)
+        }),
     ]
 }
 
 /// A triangle, large or small, in half of the cases a sliver: a vertex near the midpoint of the
-/// other two.
-fn points<S: Sample>() -> impl Strategy<Value = Points<S>> {
-    let point = || proptest::array::uniform3(coordinate::<S>());
+/// other two. The numbers are bits, so that it is compiled once for all types.
+fn points(whole_bits: u32) -> impl Strategy<Value = Points<i64>> {
+    let point = || proptest::array::uniform3(coordinate(whole_bits));
     let aside = proptest::option::of(proptest::array::uniform3(-2_i64..=2));
-    let less = prop_oneof![Just(0), 0..S::WHOLE_BITS];
+    let less = prop_oneof![Just(0), 0..whole_bits];
     (point(), point(), point(), aside, less).prop_map(|(a, b, c, aside, less)| {
-        let less = |p: [S; 3]| p.each(|x| S::from_ordinal(x.ordinal() >> less));
-        let (a, b, c) = (less(a), less(b), less(c));
-        let Some(steps) = aside else { return [a, b, c] };
-        let middle = |i: usize| {
-            let (x, y) = (i128::from(a[i].ordinal()), i128::from(b[i].ordinal()));
-            S::from_ordinal(((x + y) >> 1) as i64).moved(steps[i])
-        };
-        [a, b, [middle(0), middle(1), middle(2)]]
+        let [a, b, c] = [a, b, c].each(|p| p.each(|x| x >> less));
+        let middle = |i: usize| ((i128::from(a[i]) + i128::from(b[i])) >> 1) as i64;
+        [a, b, aside.map_or(c, |steps| three(|i| middle(i).saturating_add(steps[i])))]
     })
 }
 
-macro_rules! nearest_everywhere {
-    ($($name:ident: $t:ty;)*) => {
-        proptest! {
-            #![proptest_config(ProptestConfig { failure_persistence: None, cases: 1_500, ..ProptestConfig::default() })]
-            $(
-                #[test]
-                fn $name(points in points::<$t>()) {
-                    check_integer(&points);
-                }
-            )*
-        }
-    };
+/// Checks the triangles of these points.
+fn all(points: impl Strategy<Value = Points<i64>>, check: &dyn Fn(&Points<i64>)) {
+    let config = ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(1_500) };
+    proptest!(config, |(points in points)| check(&points));
 }
-nearest_everywhere! {
-    nearest_in_i4f4: I4F4;
-    nearest_in_i8f8: I8F8;
-    nearest_in_i0f16: I0F16;
-    nearest_in_i1f15: I1F15;
-    nearest_in_i16f16: I16F16;
-    nearest_in_i32f32: I32F32;
-    nearest_in_i64f0: I64F0;
-    nearest_in_i1f63: I1F63;
-    nearest_in_i0f64: I0F64;
+
+fn nearest<S: Sample + FixedPoint>() {
+    all(points(S::WHOLE_BITS), &|points| check_integer(&points.each(|p| p.each(S::from_ordinal))));
 }
+
+for_scalars!([
+    i4f4: fixed::types::I4F4,
+    i8f8: fixed::types::I8F8,
+    i0f16: fixed::types::I0F16,
+    i1f15: fixed::types::I1F15,
+    i16f16: fixed::types::I16F16,
+    i32f32: fixed::types::I32F32,
+    i64f0: fixed::types::I64F0,
+    i1f63: fixed::types::I1F63,
+    i0f64: fixed::types::I0F64,
+] nearest);
 
 #[test]
 fn the_largest_normals_fit() {
