@@ -65,10 +65,11 @@ fn line(k: usize) -> Line {
             let scalars = (0..SCALARS.len()).filter(|&scalar| is_asked(scalar)).count();
             let _ = write!(text, "{} queries, {scalars} scalars: ", ROWS.len());
             let _ = match (differing, lost) {
+                _ if scalars == 0 => write!(text, "NOT asked: --release asks all"),
                 (0, 0) => write!(text, "as everywhere"),
                 _ => write!(text, "NOT as everywhere: {differing} differ, {lost} are lost"),
             };
-            (differing, lost) == (0, 0)
+            scalars > 0 && (differing, lost) == (0, 0)
         }
     };
     (text, is_right)

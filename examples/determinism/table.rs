@@ -14,11 +14,11 @@ pub(crate) type Scalar = (&'static str, Option<fn() -> Column>);
 pub(crate) type Column = [Cell; ROWS.len()];
 
 /// The scalars that are asked for, if not all: `ONLY_SCALARS="f32 I16F16" cargo run …`. A build for
-/// development asks one, which is soonest compiled, because `cargo test` builds the example too, and
-/// asks all in the tests.
+/// development asks none by itself, because `cargo test` builds the example too, and asks all in the
+/// tests.
 const ONLY: Option<&str> = match option_env!("ONLY_SCALARS") {
     _ if cfg!(test) => None,
-    None if cfg!(debug_assertions) => Some("I8F8"),
+    None if cfg!(debug_assertions) => Some(""),
     only => only,
 };
 
