@@ -7,7 +7,7 @@ use septum::polygon::Polygon;
 use septum::voxel::{Grid, GridError};
 use septum::{Aabb, Segment, ShapeError, Triangle, Vec3};
 use septum_kit::aabbs::AabbSet;
-use septum_kit::{Each, Rng, Sample, compare_sums, for_every_scalar};
+use septum_kit::{Each, Rng, Sample, compare_sums, for_every_scalar, three};
 
 /// Checks that `low` is the greatest number not above c − h, and `high` the least not below c + h.
 /// Fixed point ends at its range.
@@ -59,13 +59,12 @@ fn vertices_span_the_box<S: Sample>() {
         let vertices: Vec<Vec3<S>> =
             (0..6).map(|_| Vec3::from(rng.triple(|rng| AabbSet::ALL[0].number(rng)))).collect();
         let ends = |points: &[Vec3<S>]| {
-            let sorted = |of: fn(&Vec3<S>) -> S| {
-                let mut x: Vec<S> = points.iter().map(of).collect();
-                x.sort_by(|a, b| a.partial_cmp(b).unwrap());
-                (x[0], x[x.len() - 1])
-            };
-            let [x, y, z] = [sorted(|p| p.x), sorted(|p| p.y), sorted(|p| p.z)];
-            Aabb::from_min_max([x.0, y.0, z.0], [x.1, y.1, z.1]).unwrap()
+            let (mut min, mut max) = ([S::GREATEST; 3], [S::LEAST; 3]);
+            for p in points.iter().map(|p| p.to_array()) {
+                min = three(|i| if p[i] < min[i] { p[i] } else { min[i] });
+                max = three(|i| if p[i] > max[i] { p[i] } else { max[i] });
+            }
+            Aabb::from_min_max(min, max).unwrap()
         };
         let [a, b, c] = [vertices[0], vertices[1], vertices[2]];
         assert_eq!(Triangle::new(a, b, c).unwrap().aabb(), ends(&vertices[..3]));

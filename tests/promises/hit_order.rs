@@ -25,7 +25,7 @@ fn fraction<S: Sample>(o: Point<S>, d: Point<S>, t: [Point<S>; 3], unit: i32) ->
 
 fn expected<S: Sample>(o: Point<S>, d: Point<S>, a: [Point<S>; 3], b: [Point<S>; 3]) -> Ordering {
     let rows = [a.as_slice(), &b, &[o, d]].concat();
-    let parts = rows.iter().flatten().map(|x| x.mantissa_exponent());
+    let parts = rows.as_flattened().iter().map(|x| x.mantissa_exponent());
     let unit = parts.filter(|x| x.0 != 0).map(|x| x.1).min().unwrap_or(0);
     let ([p, q], [r, s]) = (fraction(o, d, a, unit), fraction(o, d, b, unit));
     (p * s).cmp(&(r * q))

@@ -25,7 +25,7 @@ impl<S: Sample> Given<S> {
     /// Every number as a multiple of one power of two, and one in that unit.
     fn whole(&self) -> (Given<IBig>, IBig) {
         let rows = [self.axes.as_slice(), &[self.center, self.half, self.point]].concat();
-        let parts = rows.iter().flatten().map(|x| x.mantissa_exponent());
+        let parts = rows.as_flattened().iter().map(|x| x.mantissa_exponent());
         let unit = parts.filter(|x| x.0 != 0).map(|x| x.1).min().unwrap_or(0).min(0);
         let number = |x: &S| {
             let (m, e) = x.mantissa_exponent();

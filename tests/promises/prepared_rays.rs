@@ -40,8 +40,8 @@ for_every_scalar!(exact_on_every_set);
 fn the_smallest_grid() {
     use fixed::types::{I4F4, I16F16, I32F32};
     let triples = |n: i64| {
-        let along = move || -n..=n;
-        along().flat_map(move |x| along().flat_map(move |y| along().map(move |z| [x, y, z])))
+        let side = 2 * n + 1;
+        (0..side.pow(3)).map(move |k| [k / side / side, k / side % side, k % side].each(|x| x - n))
     };
     let corners = || triples(1).flat_map(|a| triples(1).map(move |b| (a, b)));
     let boxes: Vec<_> = corners().filter(|(a, b)| (0..3).all(|i| a[i] <= b[i])).collect();

@@ -26,9 +26,7 @@ fn components_of_zero<S: Sample>(zero: S) {
         ([0.0, 0.0, 0.0], [0.0, 0.0, 0.0]),
     ];
     let (mut cases, mut met) = (0, 0);
-    let five = || [0, 1, -1, 2, -2].into_iter();
-    let triples =
-        || five().flat_map(move |x| five().flat_map(move |y| five().map(move |z| [x, y, z])));
+    let triples = || (0..125).map(|n| [n / 25, n / 5 % 5, n % 5].each(|k| [0, 1, -1, 2, -2][k]));
     let directions = triples().filter(|d| d.contains(&0) && *d != [0; 3]);
     for d in directions {
         for o in triples() {

@@ -75,7 +75,7 @@ pub use lattice::{Lattice, Ring, Shapes, odd_mantissa};
 pub use near_miss::NearMiss;
 pub use normal::{Points, compare_with_unit, is_nearest_to_unit, normal_of};
 pub use oracle::{is_collinear, meets};
-pub use orders::{GROUP_ORDERS, VERTEX_ORDERS};
+pub use orders::{GROUP_ORDERS, VERTEX_ORDERS, sorted_by_number};
 pub use oriented::Oriented;
 pub use plane::{Given, side};
 pub use projection::separates;

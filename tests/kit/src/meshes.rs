@@ -11,7 +11,7 @@ use crate::case::{BoxNumbers, Case};
 use crate::rays::{Fraction, RayCase, crossing};
 use crate::sample::Sample;
 use crate::sweeps::SweepCase;
-use crate::{Each, rng::Rng, three};
+use crate::{Each, rng::Rng, sorted_by_number, three};
 
 type Point<S> = [S; 3];
 
@@ -82,7 +82,7 @@ impl<S: Sample> MeshRay<S> {
         let faces = 0..self.mesh.faces.len();
         let hit = |face| Some((face, crossing(&self.case(face))?.t));
         let mut hits: Vec<_> = faces.filter_map(hit).collect();
-        hits.sort_by(|a, b| a.1.compare_with(&b.1));
+        in_order(&mut hits);
         hits
     }
 
@@ -114,15 +114,18 @@ impl<S: Sample> MeshRay<S> {
             let with_hit = |face: usize| (face, ray.hit(&of(face)).expect("it is hit"));
             let first = truth.first().map(|&(face, _)| with_hit(face));
             assert_eq!(tree.first_hit(&ray), first, "{}", told());
-            let mut found: Vec<_> = tree.hits(&ray).collect();
-            found.sort_by_key(|(face, _)| *face);
-            let mut expected: Vec<_> = truth.iter().map(|&(face, _)| with_hit(face)).collect();
-            expected.sort_by_key(|(face, _)| *face);
-            assert_eq!(found, expected, "{}", told());
+            let found = sorted_by_number(tree.hits(&ray), |hit| hit.0);
+            let expected = truth.iter().map(|&(face, _)| with_hit(face));
+            assert_eq!(found, sorted_by_number(expected, |hit| hit.0), "{}", told());
             assert_eq!(tree.is_hit(&ray), !truth.is_empty(), "{}", told());
         });
         [truth.len(), alike]
     }
+}
+
+/// By t and then by index.
+fn in_order(hits: &mut [(usize, Fraction)]) {
+    hits.sort_by(|a, b| a.1.compare_with(&b.1));
 }
 
 impl<S: Sample> MeshSweep<S> {

@@ -41,7 +41,7 @@ impl Rng {
     }
 
     /// A triple of numbers, one call for each.
-    pub fn triple<T>(&mut self, mut one: impl FnMut(&mut Self) -> T) -> [T; 3] {
+    pub fn triple<T: Copy>(&mut self, mut one: impl FnMut(&mut Self) -> T) -> [T; 3] {
         [one(self), one(self), one(self)]
     }
 }

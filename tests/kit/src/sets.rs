@@ -86,7 +86,9 @@ impl Set {
                 Self::Huge => cases.push(huge(rng)),
                 Self::Flip => {
                     let base = if rng.one_in(2) { sliver(rng) } else { random(rng, [0.0; 3], 1.0) };
-                    cases.extend(flip(rng, base).into_iter().flatten());
+                    if let Some(both) = flip(rng, base) {
+                        cases.extend(both);
+                    }
                 }
             }
         }

@@ -17,6 +17,13 @@ pub struct Touch {
 }
 
 impl Touch {
+    /// The vertices, those in the plane first.
+    pub(crate) fn lowest_first(&self) -> [[i64; 3]; 3] {
+        let mut vertices = self.vertices;
+        vertices.sort_by_key(|v| (0..3).map(|i| v[i] * self.normal[i]).sum::<i64>());
+        vertices
+    }
+
     /// A vertex on a face, an edge or a corner of the box.
     pub fn vertex(rng: &mut Rng, bits: u32) -> Self {
         let (least, greatest) = sides(rng, bits);

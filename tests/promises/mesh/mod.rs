@@ -14,7 +14,7 @@ use core::ops::ControlFlow;
 use septum::contact::{InteriorEdges, Shape, contact_in_mesh};
 use septum::mesh::{Mesh, MeshError, Probe, Tree};
 use septum::{Aabb, Capsule, Cull, Hit, HitRules, Obb, Ray, Segment, Sphere, Triangle};
-use septum_kit::{Each, Rng, Sample, for_scalars, rays, three};
+use septum_kit::{Each, Rng, Sample, for_scalars, rays, sorted_by_number, three};
 
 use self::closest::points_are_closest_as_one_by_one;
 use self::edges::{contacts_are_the_first, hits_are_in_true_order};
@@ -23,9 +23,12 @@ use self::scenes::Scene;
 use self::sweeps::{boxes_meet_first_as_one_by_one, spheres_meet_first_as_one_by_one};
 
 fn sorted(found: impl Iterator<Item = usize>) -> Vec<usize> {
-    let mut found: Vec<_> = found.collect();
-    found.sort_unstable();
-    found
+    sorted_by_number(found, |&i| i)
+}
+
+/// A number for each pair, in order.
+fn pair_number(&(i, k): &(usize, usize)) -> usize {
+    i << 16 | k
 }
 
 /// The triangles that satisfy `is`, tested one by one.
@@ -90,8 +93,7 @@ fn contacts_as_one_by_one<S: Sample>(
 ) -> usize {
     let interior = |i: usize| InteriorEdges::new(three(|k| i >> k & 1 == 1));
     let edges: Vec<_> = (0..tree.mesh().triangles().len()).map(interior).collect();
-    let mut found: Vec<_> = tree.contacts(shape, &edges).expect("as many edges").collect();
-    found.sort_by_key(|(i, _)| *i);
+    let found = sorted_by_number(tree.contacts(shape, &edges).expect("as many edges"), |c| c.0);
     let alone = |&i: &usize| {
         let triangle = tree.mesh().triangle(i).expect("it overlaps");
         Some((i, contact_in_mesh(&triangle, interior(i), shape)?))
@@ -157,7 +159,7 @@ fn meshes_overlap_as_pair_by_pair<S: Sample>() {
                 ControlFlow::<()>::Continue(())
             });
             assert!(flow.is_continue());
-            found.sort_unstable();
+            let found = sorted_by_number(found, pair_number);
             let pairs = tree.mesh().iter().enumerate().flat_map(|(i, t)| {
                 those(*other.mesh(), |u| t.overlaps(u)).into_iter().map(move |k| (i, k))
             });
@@ -169,7 +171,7 @@ fn meshes_overlap_as_pair_by_pair<S: Sample>() {
                 ControlFlow::<()>::Continue(())
             });
             assert!(flow.is_continue());
-            segments.sort_unstable_by_key(|&(i, k, _)| (i, k));
+            let segments = sorted_by_number(segments, |&(i, k, _)| pair_number(&(i, k)));
             let crossing = |&(i, k): &(usize, usize)| {
                 let of = |mesh: &Mesh<'_, S, u16>, i: usize| mesh.triangle(i).expect("it overlaps");
                 Some((i, k, of(tree.mesh(), i).crossing(&of(other.mesh(), k))?))
@@ -223,8 +225,7 @@ fn rays_hit_as_one_by_one<S: Sample>() {
                 .enumerate()
                 .filter_map(|(i, t)| ray.hit_with(&t, rules).map(|hit| (i, hit)))
                 .collect();
-            let mut found: Vec<_> = tree.hits_with(ray, rules).collect();
-            found.sort_by_key(|(i, _)| *i);
+            let found = sorted_by_number(tree.hits_with(ray, rules), |hit| hit.0);
             assert_eq!(found, expected, "{name}: {ray:?}");
             assert_eq!(tree.is_hit_with(ray, rules), !expected.is_empty(), "{name}: {ray:?}");
             // The first in true order; at one point, the lowest index in the mesh.

@@ -54,7 +54,7 @@ impl<S: Sample> Solid<S> {
             }
             Self::Box(AnyBox::Obb(b)) => [b.axes.as_slice(), &[b.center, b.half]].concat(),
         };
-        rows.into_iter().flatten().map(S::mantissa_exponent).collect()
+        rows.as_flattened().iter().map(|x| x.mantissa_exponent()).collect()
     }
 
     fn made(&self) -> Option<Made<S>> {
@@ -161,7 +161,9 @@ impl<S: Sample> ContactCase<S> {
         if let Some(Contact { translation: t, .. }) = &found {
             let all = [t.vector.to_array().as_slice(), &[t.depth]].concat();
             let nonzero = all.iter().filter(|x| x.is_finite() && **x != S::ZERO);
-            numbers.extend(nonzero.flat_map(|x| [*x, inward(*x)].each(|x| x.mantissa_exponent())));
+            for &x in nonzero {
+                numbers.extend([x, inward(x)].each(S::mantissa_exponent));
+            }
         }
         let unit = least_exponent(&numbers).min(0);
         let hulls = [self.first.hull(unit), self.second.hull(unit)];
@@ -187,7 +189,8 @@ impl<S: Sample> ContactCase<S> {
         let a = self.direction(t.features, &hulls);
         let along = IBig::dot(&a, &t.vector.to_array().each(sign));
         let a = if along < IBig::ZERO { a.each(|x| -x) } else { a };
-        let is_before = depths.iter().flatten().take_while(|d| !core::ptr::eq(*d, least));
+        let depths = depths.as_deref().unwrap_or_default();
+        let is_before = depths.iter().take_while(|d| !core::ptr::eq(*d, least));
         let is_same = |d: &Depth| {
             IBig::cross(&d.axis, &a) == [IBig::ZERO, IBig::ZERO, IBig::ZERO]
                 && IBig::dot(&d.axis, &a) > IBig::ZERO
@@ -199,9 +202,8 @@ impl<S: Sample> ContactCase<S> {
             let (a, b) = (square(d, least), square(least, d));
             a != b && (a - &b) << 54 <= b
         };
-        let all = || depths.iter().flatten();
-        let is_tie = all().any(is_near)
-            && all().filter(|d| is_same(d)).all(|d| {
+        let is_tie = depths.iter().any(is_near)
+            && depths.iter().filter(|d| is_same(d)).all(|d| {
                 is_near(d)
                     || &d.overlap * &d.overlap * &least.square
                         == &least.overlap * &least.overlap * &d.square

@@ -113,6 +113,16 @@ fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
+/// The greatest extent of both along an axis.
+fn extent(hulls: &[Hull; 2]) -> IBig {
+    let corners = || hulls.iter().flat_map(|h| &h.points);
+    let extent = |i: usize| {
+        let along = || corners().map(|p| &p[i]);
+        along().max().expect("corners") - along().min().expect("corners")
+    };
+    (0..3).map(extent).max().expect("three")
+}
+
 /// A number is as far off as the greatest part of a tolerance that a coordinate takes.
 fn ratio(off: [f64; 3], allowed: [f64; 3]) -> f64 {
     (0..3).map(|i| off[i].abs() / allowed[i]).fold(0.0, f64::max)
@@ -127,10 +137,11 @@ impl<S: Sample> ContactCase<S> {
     pub fn check_points(&self, found: &Contact<S>) -> Option<Result<PointErrors, &'static str>> {
         let points = found.points();
         let t = found.translation;
-        let mut places: Vec<S> = points
-            .iter()
-            .flat_map(|p| [p.on_first.to_array(), p.on_second.to_array()].concat())
-            .collect();
+        let mut places = Vec::new();
+        for p in points {
+            places.extend([p.on_first, p.on_second].each(|p| p.to_array()).as_flattened());
+        }
+        let on_parts = places.len();
         places.extend(points.iter().map(|p| p.depth));
         places.extend(t.vector.to_array());
         if !places.iter().all(|x| *x > S::LEAST && *x < S::GREATEST) {
@@ -140,12 +151,7 @@ impl<S: Sample> ContactCase<S> {
         numbers.extend(places.iter().map(|x| x.mantissa_exponent()));
         let unit = least_exponent(&numbers).min(0);
         let hulls = [self.first.hull(unit), self.second.hull(unit)];
-        let corners = || hulls.iter().flat_map(|h| &h.points);
-        let extent = |i: usize| {
-            let along = || corners().map(|p| &p[i]);
-            along().max().expect("corners") - along().min().expect("corners")
-        };
-        let size = (0..3).map(extent).max().expect("three");
+        let size = extent(&hulls);
         let shift = size.bit_len().saturating_sub(900);
         let scale = Scale { shift, size: (&size >> shift).to_f64().value(), unit };
         let length = |x: S| whole(x.mantissa_exponent(), unit) << (1 - unit) as usize;
@@ -201,10 +207,9 @@ impl<S: Sample> ContactCase<S> {
         let u = u.each(|x| x / dot(u, u).sqrt());
         let v = [n[1] * u[2] - n[2] * u[1], n[2] * u[0] - n[0] * u[2], n[0] * u[1] - n[1] * u[0]];
         let flat = |p: [f64; 3]| [dot(p, u), dot(p, v)];
-        let all_units: f64 = points
+        let all_units: f64 = places[..on_parts]
             .iter()
-            .flat_map(|p| [p.on_first.to_array(), p.on_second.to_array()].concat())
-            .map(|x| scale.unit_of(x))
+            .map(|&x| scale.unit_of(x))
             .fold(scale.unit_of(t.depth), f64::max);
         let allowed = OFF_PAIR + 4.0 * all_units;
         let depths = || points.iter().map(|p| scale.part(&length(p.depth)));

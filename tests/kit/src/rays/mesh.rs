@@ -24,65 +24,24 @@ impl<S: Sample> Mesh<S> {
     /// A regular icosahedron, each face cut into four four times over, with all vertices moved to
     /// the sphere: 5,120 faces.
     pub fn sphere(place: impl Fn(Point) -> [S; 3]) -> Self {
-        let golden = (1.0 + 5_f64.sqrt()) / 2.0;
-        let mut points = Vec::new();
-        for i in 0..3 {
-            for (x, y) in [(1.0, golden), (-1.0, golden), (1.0, -golden), (-1.0, -golden)] {
-                let mut point = [0.0; 3];
-                (point[(i + 1) % 3], point[(i + 2) % 3]) = (x, y);
-                points.push(point);
-            }
-        }
-        // The faces are the triples of vertices at a distance of the edge's length.
-        let square = |a: Point, b: Point| -> f64 {
-            [0, 1, 2].iter().map(|&i| (a[i] - b[i]) * (a[i] - b[i])).sum()
-        };
-        let adjacent = |a: usize, b: usize| (square(points[a], points[b]) - 4.0).abs() < 1e-9;
-        let mut faces = Vec::new();
-        for a in 0..12 {
-            for b in a + 1..12 {
-                for c in b + 1..12 {
-                    if adjacent(a, b) && adjacent(b, c) && adjacent(c, a) {
-                        faces.push(outward(&points, [a, b, c]));
-                    }
-                }
-            }
-        }
-        let to_sphere = |p: Point| {
-            let length = square(p, [0.0; 3]).sqrt();
-            p.each(|x| x / length)
-        };
-        let mut points = points.into_iter().map(to_sphere).collect();
-        subdivide(&mut points, &mut faces, 4, to_sphere);
-        Self::new(points.into_iter().map(place).collect(), faces)
+        Self::new(sphere(), place)
     }
 
     /// The octahedron of points whose coordinates' magnitudes sum to 1, each face
     /// cut into four four times over: 2,048 faces, many of them coplanar.
     pub fn octahedron(place: impl Fn(Point) -> [S; 3]) -> Self {
-        let mut points = Vec::new();
-        for i in 0..3 {
-            for x in [1.0, -1.0] {
-                let mut point = [0.0; 3];
-                point[i] = x;
-                points.push(point);
-            }
-        }
-        let mut faces = Vec::new();
-        for (x, y, z) in (0..8).map(|n| (n & 1, 2 + (n >> 1 & 1), 4 + (n >> 2))) {
-            faces.push(outward(&points, [x, y, z]));
-        }
-        subdivide(&mut points, &mut faces, 4, |p| p);
-        Self::new(points.into_iter().map(place).collect(), faces)
+        Self::new(octahedron(), place)
     }
 
-    fn new(vertices: Vec<[S; 3]>, faces: Vec<[usize; 3]>) -> Self {
+    fn new((points, faces): Solid, place: impl Fn(Point) -> [S; 3]) -> Self {
+        let vertices: Vec<[S; 3]> = points.into_iter().map(place).collect();
         let triangle = |face: &[usize; 3]| {
             let [a, b, c] = face.each(|v| vertices[v]);
             Triangle::new(a, b, c).expect("finite vertices")
         };
         let triangles = faces.iter().map(triangle).collect();
-        let balls = faces.chunks(PATCH).map(|patch| ball(patch, &vertices)).collect();
+        let balls =
+            balls(&faces, &vertices.iter().map(|v| v.each(S::approximate)).collect::<Vec<_>>());
         Self { vertices, faces, triangles, balls }
     }
 
@@ -100,6 +59,60 @@ impl<S: Sample> Mesh<S> {
         let patches = self.triangles.chunks(PATCH).zip(&self.balls);
         patches.filter(move |(_, ball)| meets(ball)).flat_map(|(patch, _)| patch)
     }
+}
+
+/// Points and faces.
+type Solid = (Vec<Point>, Vec<[usize; 3]>);
+
+fn sphere() -> Solid {
+    let golden = (1.0 + 5_f64.sqrt()) / 2.0;
+    let mut points = Vec::new();
+    for i in 0..3 {
+        for (x, y) in [(1.0, golden), (-1.0, golden), (1.0, -golden), (-1.0, -golden)] {
+            let mut point = [0.0; 3];
+            (point[(i + 1) % 3], point[(i + 2) % 3]) = (x, y);
+            points.push(point);
+        }
+    }
+    // The faces are the triples of vertices at a distance of the edge's length.
+    let square = |a: Point, b: Point| -> f64 {
+        [0, 1, 2].iter().map(|&i| (a[i] - b[i]) * (a[i] - b[i])).sum()
+    };
+    let adjacent = |a: usize, b: usize| (square(points[a], points[b]) - 4.0).abs() < 1e-9;
+    let mut faces = Vec::new();
+    for a in 0..12 {
+        for b in a + 1..12 {
+            for c in b + 1..12 {
+                if adjacent(a, b) && adjacent(b, c) && adjacent(c, a) {
+                    faces.push(outward(&points, [a, b, c]));
+                }
+            }
+        }
+    }
+    let to_sphere = |p: Point| {
+        let length = square(p, [0.0; 3]).sqrt();
+        p.each(|x| x / length)
+    };
+    let mut points = points.into_iter().map(to_sphere).collect();
+    subdivide(&mut points, &mut faces, 4, to_sphere);
+    (points, faces)
+}
+
+fn octahedron() -> Solid {
+    let mut points = Vec::new();
+    for i in 0..3 {
+        for x in [1.0, -1.0] {
+            let mut point = [0.0; 3];
+            point[i] = x;
+            points.push(point);
+        }
+    }
+    let mut faces = Vec::new();
+    for (x, y, z) in (0..8).map(|n| (n & 1, 2 + (n >> 1 & 1), 4 + (n >> 2))) {
+        faces.push(outward(&points, [x, y, z]));
+    }
+    subdivide(&mut points, &mut faces, 4, |p| p);
+    (points, faces)
 }
 
 /// The face, oriented so that its normal points away from the origin.
@@ -134,9 +147,13 @@ fn subdivide(
     }
 }
 
-/// A ball around the faces, a hundredth larger than necessary.
-fn ball<S: Sample>(patch: &[[usize; 3]], vertices: &[[S; 3]]) -> (Point, f64) {
-    let corners = || patch.iter().flatten().map(|&v| vertices[v].each(S::approximate));
+/// A ball around the faces of each patch, a hundredth larger than necessary.
+fn balls(faces: &[[usize; 3]], points: &[Point]) -> Vec<(Point, f64)> {
+    faces.chunks(PATCH).map(|patch| ball(patch, points)).collect()
+}
+
+fn ball(patch: &[[usize; 3]], points: &[Point]) -> (Point, f64) {
+    let corners = || patch.iter().flatten().map(|&v| points[v]);
     let count = 3.0 * patch.len() as f64;
     let center = three(|i| corners().map(|p| p[i]).sum::<f64>() / count);
     let distance =

@@ -57,16 +57,16 @@ struct Taken {
     range: [Option<Parts>; 2],
 }
 
+fn least_exponent(numbers: &[Option<Parts>]) -> i32 {
+    numbers.iter().flatten().map(|&(_, e)| e).min().unwrap_or(0)
+}
+
 impl Taken {
     fn of<S: Sample>(case: &RayCase<S>) -> Self {
         let [a, b, c] = case.vertices;
         let points = [case.origin, a, b, c].each(|v| v.each(odd_mantissa));
         let direction = case.direction.each(odd_mantissa);
-        let least = |exponents: &mut dyn Iterator<Item = i32>| exponents.min().unwrap_or(0);
-        let units = [
-            least(&mut points.iter().flatten().flatten().map(|&(_, e)| e)),
-            least(&mut direction.iter().flatten().map(|&(_, e)| e)),
-        ];
+        let units = [points.as_flattened(), &direction].each(least_exponent);
         let range = [case.t_min, case.t_max].each(|end| end.map(S::mantissa_exponent));
         Self { points, direction, units, range }
     }
@@ -84,7 +84,7 @@ impl Taken {
         let bits = |&(m, e): &Parts, unit| {
             (e - unit) as u32 + i64::BITS - m.unsigned_abs().leading_zeros()
         };
-        let points = self.points.iter().flatten().flatten().map(|part| bits(part, unit));
+        let points = self.points.as_flattened().iter().flatten().map(|part| bits(part, unit));
         let direction = self.direction.iter().flatten().map(|part| bits(part, step));
         [points.max().unwrap_or(0), direction.max().unwrap_or(0)]
     }

@@ -138,10 +138,7 @@ fn graze<S: Sample>(rng: &mut Rng) -> SweepCase<S> {
     let bits = (Touch::bits::<S>() - 1).min(12);
     let by_edge = rng.one_in(2);
     let mut touch = if by_edge { Touch::edge(rng, bits) } else { Touch::corner(rng, bits) };
-    let dot = |v: &[i64; 3]| (0..3).map(|i| v[i] * touch.normal[i]).sum::<i64>();
-    let mut vertices = touch.vertices;
-    // The vertices in the plane come first.
-    vertices.sort_by_key(dot);
+    let mut vertices = touch.lowest_first();
     let up = (0..3).max_by_key(|&i| touch.normal[i].abs()).unwrap_or(0);
     let above = |rng: &mut Rng, mut p: [i64; 3]| {
         p[up] += touch.normal[up].signum() * rng.whole(0, 1 << (bits - 3));
