@@ -41,8 +41,10 @@ fn case_of<S: Sample>(pool: [S; 3], picks: &[usize; 15], center: bool) -> Case<S
     Case { vertices: [row(0), row(1), row(2)], aabb }
 }
 
-/// Checks numbers of these bits, which of them are picked, and in which form the box is given.
-fn all(bits: BoxedStrategy<i64>, check: &dyn Fn([i64; 3], &[usize; 15], bool)) {
+/// Of bits, which of them are picked, and in which form the box is given.
+type Check<'a> = &'a dyn Fn([i64; 3], &[usize; 15], bool);
+
+fn all(bits: BoxedStrategy<i64>, check: Check<'_>) {
     let config = ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(10_000) };
     let picks = proptest::array::uniform15(0..6_usize);
     proptest!(config, |(bits in proptest::array::uniform3(bits), picks in picks, center: bool)| {

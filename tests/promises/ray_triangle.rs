@@ -127,8 +127,10 @@ fn case_of<S: Sample>(pool: [S; 4], picks: &[usize; 15], ends: [usize; 2]) -> Ra
     }
 }
 
-/// Checks numbers of these bits, and which of them are picked; what is no ray is drawn again.
-fn all(bits: BoxedStrategy<i64>, check: &dyn Fn([i64; 4], &[usize; 15], [usize; 2]) -> bool) {
+/// Of bits, and which of them are picked. What is no ray is drawn again.
+type Check<'a> = &'a dyn Fn([i64; 4], &[usize; 15], [usize; 2]) -> bool;
+
+fn all(bits: BoxedStrategy<i64>, check: Check<'_>) {
     let config = ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(6_000) };
     let config = ProptestConfig { max_global_rejects: config.max_local_rejects, ..config };
     let picks = proptest::array::uniform15(0..9_usize);
