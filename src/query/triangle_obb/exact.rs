@@ -6,10 +6,10 @@ use core::cmp::Ordering;
 use core::marker::PhantomData;
 
 use crate::arithmetic::{Each, InWord, Number, WholeVolume, WholeWord, cross_words, dot_words};
-use crate::arithmetic::{Parts, pick, turn};
+use crate::arithmetic::{Parts, pick, three, turn};
 use crate::query::relation::{Reading, Relation, of_gaps};
 use crate::query::triangle_aabb::words::each;
-use crate::robust::{ExactSum, Vector, add_determinant, differences, singles};
+use crate::robust::{ExactSum, Vector, add_determinant, difference, single};
 use crate::scalar::Scalar;
 
 /// The representation of factors, and the sign of a sum of their products.
@@ -96,10 +96,12 @@ pub(super) struct ExactParallelepiped<N: Signs> {
 
 impl<S: Scalar> ExactParallelepiped<InSums<S>> {
     pub(super) fn new([a, b, c]: [[S; 3]; 3], [center, u, v, w, half]: [[S; 3]; 5]) -> Self {
+        // Inlined: of a call, each result would be on the stack twice.
+        let from = |to: [S; 3], from: [S; 3]| three(|i| difference(to[i].parts(), from[i].parts()));
         Self {
-            t: [a, b, c].each(|p| differences(&p, &center)),
-            e: [differences(&b, &a), differences(&c, &b), differences(&a, &c)],
-            u: [u, v, w].each(singles),
+            t: [from(a, center), from(b, center), from(c, center)],
+            e: [from(b, a), from(c, b), from(a, c)],
+            u: [u, v, w].each(|u| u.each(|x| single(x.parts()))),
             h: half.each(S::parts),
             one: S::ONE,
         }
