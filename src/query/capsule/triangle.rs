@@ -12,7 +12,7 @@ use crate::arithmetic::Int16;
 use crate::arithmetic::{Arithmetic, Embeds, Number, greatest, pick, three, two};
 use crate::query::orientation::{Vector, from};
 use crate::query::segment_triangle::Passes;
-use crate::query::sphere::{Ball, Beyond, Errors, Reach, around, largest_of, meet, minors, volume};
+use crate::query::sphere::{Ball, Beyond, Errors, Reach, around, largest_of, minors, volume};
 use crate::robust::{Predicate, Uncertain, certain_sign};
 use crate::scalar::Scalar;
 #[cfg(feature = "fixed")]
@@ -198,7 +198,9 @@ pub(super) fn meets_triangle<S: Scalar>(
     triangle: &Triangle<S>,
     ball: Ball,
 ) -> bool {
-    meet(capsule, triangle, ball) || S::evaluate(&passes(capsule, triangle))
+    // Not by `meet`, which takes more flash on a Cortex-M0.
+    !S::evaluate_numeric(&Beyond { round: capsule, shape: triangle, ball })
+        || S::evaluate(&passes(capsule, triangle))
 }
 
 impl<S: Scalar> Overlaps<Triangle<S>> for Capsule<S> {
