@@ -40,7 +40,7 @@ pub(super) fn roundoffs(count: u16) -> f64 {
 }
 
 /// A direction from the nearest point of a flat shape to an end of the segment. Lengths are in
-/// [units](crate::scalar::InDouble::units).
+/// the units of `InDouble::units`.
 pub(super) struct Line<S> {
     pub(super) a: Vec64,
     /// How far each coordinate may be off. A coordinate of zero without an error is exact.

@@ -1,6 +1,6 @@
 //! The exact numbers of a direction as integers: in 60 bits, as in most scenes, or in 250 bits, as
 //! for poses with residues of quarter turns; on small cores, in words of fixed point. The results equal
-//! [`sums`](super::sums) and take a fraction of the time.
+//! the [sums](super::exact::Sums) and take a fraction of the time.
 
 use core::cmp::Ordering;
 

@@ -1,6 +1,6 @@
 //! Three vectors side by side: each row holds one component of all three, so that a product with
 //! another vector comes out for all three at once. The operations are those of
-//! [`cross`](super::triangle_obb::cross) and [`dot`](super::triangle_obb::dot), in the same order.
+//! [`cross3`](crate::arithmetic::cross3) and [`dot3`](crate::arithmetic::dot3), in the same order.
 
 use crate::arithmetic::{Each, Float, InFloat, Number, Quad, greatest, three_in_float};
 use crate::scalar::Scalar;
