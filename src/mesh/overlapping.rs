@@ -42,8 +42,8 @@ pub(super) mod sealed {
         /// if floats have no such box.
         fn corners(&self) -> Option<[[S; 3]; 2]>;
 
-        /// Whether [`may_overlap`](crate::Overlaps::may_overlap) excludes enough boxes that meet the shape's bounding box to
-        /// be worth its time.
+        /// Whether [`may_overlap`](crate::Overlaps::may_overlap) excludes enough boxes that meet the
+        /// shape's bounding box to be worth its time.
         const IS_NARROW: bool = false;
 
         /// Whether testing a triangle costs more than testing the bounding box first.
