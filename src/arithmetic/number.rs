@@ -135,8 +135,8 @@ pub(crate) fn compare<T: PartialOrd>(a: T, b: T) -> Ordering {
     }
 }
 
-/// How a number compares with zero. Of long numbers that is much code: the compiler decides whether to
-/// inline it.
+/// How a number compares with zero. For long numbers this is much code, and the compiler decides
+/// whether to inline it.
 pub(crate) fn sign<T: Number>(x: T) -> Ordering {
     compare(x, T::ZERO)
 }

@@ -5,8 +5,8 @@
 //! 2001. Written from the paper. Other tests measure their speed against it, and it shows what
 //! rounding does.
 
-use super::vector::{cross, dot, minus, rounded};
-use crate::arithmetic::{Each, Number, Rounded, greatest, least};
+use super::vector::rounded;
+use crate::arithmetic::{Each, Number, Rounded, cross3, dot3, greatest, least, minus3};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Obb, Triangle, Vec3};
 
@@ -115,9 +115,9 @@ struct Published<S> {
 impl<S: Scalar> Published<S> {
     #[inline(always)]
     fn new(points: &[[S; 3]; 3], center: [Rounded<S>; 3], h: [Rounded<S>; 3]) -> Self {
-        let from = |p: [S; 3]| minus(rounded(p), center);
+        let from = |p: [S; 3]| minus3(&rounded(p), &center);
         let v = [from(points[0]), from(points[1]), from(points[2])];
-        Self { v, e: [minus(v[1], v[0]), minus(v[2], v[1]), minus(v[0], v[2])], h }
+        Self { v, e: [minus3(&v[1], &v[0]), minus3(&v[2], &v[1]), minus3(&v[0], &v[2])], h }
     }
 
     /// Bullet 1: the minimal box around the triangle against the box.
@@ -134,7 +134,7 @@ impl<S: Scalar> Published<S> {
     /// normal.
     #[inline(always)]
     fn normal(&self) -> bool {
-        let n = cross(self.e[0], self.e[1]);
+        let n = cross3(&self.e[0], &self.e[1]);
         let zero = Rounded::ZERO;
         // From vertex 0, which lies in the plane, to the corner against n or along n.
         let corner = |along: bool| {
@@ -144,7 +144,7 @@ impl<S: Scalar> Published<S> {
             };
             [from_vertex(0), from_vertex(1), from_vertex(2)]
         };
-        dot(n, corner(false)) > zero || dot(n, corner(true)) < zero
+        dot3(&n, &corner(false)) > zero || dot3(&n, &corner(true)) < zero
     }
 
     /// Bullet 3: nine cross products. Two of the three vertices project to the same point, so two

@@ -6,8 +6,8 @@
 //! the descriptions. Akenine-Möller's paper of 2001 compares itself with this test.
 
 use super::separating_axes::{center_half, row, segment_misses};
-use super::vector::{Triple, cross, dot, minus};
-use crate::arithmetic::{Each, Number, Rounded, turn};
+use super::vector::Triple;
+use crate::arithmetic::{Each, Number, Rounded, cross3, dot3, minus3, turn};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, Polygon};
 
@@ -32,7 +32,7 @@ use crate::shape::{Aabb, Polygon};
 pub fn overlaps<S: Scalar>(polygon: &Polygon<'_, S>, aabb: &Aabb<S>) -> bool {
     let (center, h) = center_half(aabb);
     let vertices = polygon.vertices();
-    let vertex = |k: usize| minus(row(&vertices[k]), center);
+    let vertex = |k: usize| minus3(&row(&vertices[k]), &center);
 
     let (mut faces, mut bevels) = (!0, !0);
     for k in 0..vertices.len() {
@@ -99,15 +99,15 @@ fn is_crossed_by_diagonal<S: Scalar>(
 ) -> bool {
     let first = vertex(0);
     let mut n = [Rounded::ZERO; 3];
-    let mut e = minus(vertex(1), first);
+    let mut e = minus3(&vertex(1), &first);
     for k in 2..count {
-        let f = minus(vertex(k), first);
-        let part = cross(e, f);
+        let f = minus3(&vertex(k), &first);
+        let part = cross3(&e, &f);
         n = [n[0] + part[0], n[1] + part[1], n[2] + part[2]];
         e = f;
     }
     let diagonal = [0, 1, 2].each(|i: usize| if n[i] < Rounded::ZERO { -h[i] } else { h[i] });
-    let (offset, most) = (dot(n, first), dot(n, diagonal));
+    let (offset, most) = (dot3(&n, &first), dot3(&n, &diagonal));
     // The plane misses the box.
     if offset.magnitude() > most {
         return false;

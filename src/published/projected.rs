@@ -2,8 +2,8 @@
 
 use super::resolve::{Limits, none_below_zero};
 use super::stored_normal::store;
-use super::vector::{by_index, dot, line, minus, rounded};
-use crate::arithmetic::{Number, Rounded, pick, turn};
+use super::vector::{by_index, line, rounded};
+use crate::arithmetic::{Number, Rounded, dot3, minus3, pick, turn};
 use crate::query::{Candidate, Cull, Hit};
 use crate::scalar::Scalar;
 use crate::shape::{Ray, Triangle};
@@ -83,12 +83,12 @@ fn projected<S: Scalar>(
     let zero = Rounded::ZERO;
     let ProjectedTriangle { a, normal, edges: [e1, e2], area, left: [j, k] } = *triangle;
     let (o, d) = line(ray);
-    let s = minus(o, rounded(a));
+    let s = minus3(&o, &rounded(a));
     let n = rounded(normal);
-    let det = zero - dot(d, n);
+    let det = zero - dot3(&d, &n);
     let front = det > zero;
     let crosses = ((det > zero) | (det < zero)) & limits.keep(front);
-    let t = dot(s, n).0.plain_div(if crosses { det.0 } else { S::ZERO });
+    let t = dot3(&s, &n).0.plain_div(if crosses { det.0 } else { S::ZERO });
 
     let on = |i| *by_index(&s, i) + Rounded(t) * *by_index(&d, i);
     let (x, y) = (on(j), on(k));

@@ -6,8 +6,8 @@
 //! cross products with the absolute value of w. Against zeros in w, the book adds a small number.
 //! The comparisons here are right without it.
 
-use super::vector::{Triple, minus};
-use crate::arithmetic::{Number, Rounded};
+use super::vector::Triple;
+use crate::arithmetic::{Number, Rounded, minus3};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Ray, Segment, SegmentForm, Vec3};
 
@@ -61,7 +61,7 @@ pub fn ray_overlaps<S: Scalar>(ray: &Ray<S>, aabb: &Aabb<S>) -> bool {
     };
     let (center, h) = center_half(aabb);
     let zero = Rounded::ZERO;
-    let c = minus(start.unwrap_or(o), center);
+    let c = minus3(&start.unwrap_or(o), &center);
     // It starts beside the box and does not come nearer.
     let leaves = |i: usize| (c[i] > h[i] && d[i] >= zero) || (c[i] < -h[i] && d[i] <= zero);
     let leaves = start.is_some() && (leaves(0) || leaves(1) || leaves(2));
@@ -71,7 +71,7 @@ pub fn ray_overlaps<S: Scalar>(ray: &Ray<S>, aabb: &Aabb<S>) -> bool {
 #[inline(always)]
 fn centered_overlaps<S: Scalar>(c: Triple<S>, w: Triple<S>, aabb: &Aabb<S>) -> bool {
     let (center, h) = center_half(aabb);
-    !misses_about_origin(minus(c, center), w, h)
+    !misses_about_origin(minus3(&c, &center), w, h)
 }
 
 /// Whether a segment misses a box around the origin.
@@ -101,7 +101,7 @@ fn line_misses<S: Scalar>(c: Triple<S>, w: Triple<S>, v: Triple<S>, h: Triple<S>
 fn between<S: Scalar>(a: Triple<S>, b: Triple<S>) -> (Triple<S>, Triple<S>) {
     let half = |x: Rounded<S>| Rounded(x.0.plain_half());
     let c = [half(a[0] + b[0]), half(a[1] + b[1]), half(a[2] + b[2])];
-    (c, minus(b, c))
+    (c, minus3(&b, &c))
 }
 
 #[inline(always)]

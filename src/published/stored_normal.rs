@@ -1,8 +1,8 @@
 //! Ray and triangle by the stored normal.
 
 use super::resolve::{Fractions, Limits, resolve};
-use super::vector::{Triple, cross, dot, line, minus, rounded};
-use crate::arithmetic::{Each, Number, Rounded};
+use super::vector::{Triple, line, rounded};
+use crate::arithmetic::{Each, Number, Rounded, cross3, dot3, minus3};
 use crate::query::{Cull, Hit};
 use crate::scalar::Scalar;
 use crate::shape::{Ray, Triangle, Vec3};
@@ -20,8 +20,8 @@ pub(crate) type Stored<S> = [Triple<S>; 4];
 #[inline(always)]
 pub(crate) fn store<S: Scalar>([a, b, c]: [[S; 3]; 3]) -> Stored<S> {
     let (a, b, c) = (rounded(a), rounded(b), rounded(c));
-    let (e1, e2) = (minus(b, a), minus(c, a));
-    [a, e1, e2, cross(e1, e2)]
+    let (e1, e2) = (minus3(&b, &a), minus3(&c, &a));
+    [a, e1, e2, cross3(&e1, &e2)]
 }
 
 impl<S: Scalar> NormalTriangle<S> {
@@ -103,8 +103,13 @@ pub(crate) fn stored_normal<S: Scalar>(
     (origin, direction): (Triple<S>, Triple<S>),
     [a, e1, e2, n]: Stored<S>,
 ) -> Fractions<S> {
-    let s = minus(origin, a);
-    let m = cross(s, direction);
+    let s = minus3(&origin, &a);
+    let m = cross3(&s, &direction);
     let zero = Rounded::ZERO;
-    Fractions { det: zero - dot(direction, n), t: dot(s, n), u: dot(m, e2), v: zero - dot(m, e1) }
+    Fractions {
+        det: zero - dot3(&direction, &n),
+        t: dot3(&s, &n),
+        u: dot3(&m, &e2),
+        v: zero - dot3(&m, &e1),
+    }
 }

@@ -18,21 +18,6 @@ pub(crate) fn line<S: Scalar>(ray: &Ray<S>) -> (Triple<S>, Triple<S>) {
     (rounded(ray.origin().to_array()), rounded(ray.direction().to_array()))
 }
 
-#[inline(always)]
-pub(super) fn minus<S: Scalar>(a: Triple<S>, b: Triple<S>) -> Triple<S> {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
-}
-
-#[inline(always)]
-pub(super) fn dot<S: Scalar>(a: Triple<S>, b: Triple<S>) -> Rounded<S> {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-#[inline(always)]
-pub(super) fn cross<S: Scalar>(a: Triple<S>, b: Triple<S>) -> Triple<S> {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
 /// Component `i` of three, by its address, because a branch on the index would be unpredictable.
 #[inline(always)]
 pub(super) fn by_index<T>(x: &[T; 3], i: u8) -> &T {

@@ -2,8 +2,8 @@
 
 use super::degenerate_view::degenerate_view;
 use super::resolve::Limits;
-use super::vector::{Triple, by_index, dot, minus, rounded};
-use crate::arithmetic::{Number, Rounded, pick, turn};
+use super::vector::{Triple, by_index, rounded};
+use crate::arithmetic::{Number, Rounded, dot3, minus3, pick, turn};
 use crate::query::{Candidate, Cull, Hit};
 use crate::scalar::Scalar;
 use crate::shape::{Ray, Triangle};
@@ -137,7 +137,7 @@ impl<S: Scalar> ShearedRay<S> {
     #[inline(always)]
     pub(crate) fn corners(&self, origin: [S; 3], [a, b, c]: [[S; 3]; 3]) -> [Triple<S>; 3] {
         let corner = |p: [S; 3]| {
-            let [x, y, z] = minus(rounded(p), rounded(origin));
+            let [x, y, z] = minus3(&rounded(p), &rounded(origin));
             [x - Rounded(self.shear[0]) * z, y - Rounded(self.shear[1]) * z, z]
         };
         [corner(a), corner(b), corner(c)]
@@ -161,7 +161,7 @@ impl<S: Scalar> ShearedRay<S> {
         let part = |x: Rounded<S>| x.0.plain_div(if inside { det.0 } else { S::ZERO });
         let weights = [part(w), part(u), part(v)];
         // A mean of heights stays within the triangle and the type.
-        let z = dot(rounded(weights), [a[2], b[2], c[2]]);
+        let z = dot3(&rounded(weights), &[a[2], b[2], c[2]]);
         let t = z.0.plain_div(if inside { self.height } else { S::ZERO });
         let zeros = [w == zero, u == zero, v == zero];
         Candidate::new(inside & limits.hold(t), [t, weights[1], weights[2]], front, zeros)
