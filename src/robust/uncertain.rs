@@ -1,15 +1,17 @@
+use core::ops::{BitAnd, BitOr, Not};
+
 use crate::arithmetic::Number;
 
-/// The verdict of the axes tested so far, with their errors.
+/// The verdict of the axes tested so far, with their errors; of several side by side as bits.
 ///
 /// No branch depends on either flag until both are final. The result of a single test is almost
 /// random, and a mispredicted branch costs more than all nine edge axes.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Uncertain {
+pub(crate) struct Uncertain<T = bool> {
     /// Some axis separates, beyond the error bound.
-    pub(crate) certain: bool,
+    pub(crate) certain: T,
     /// Some axis may separate, within the error bound.
-    pub(crate) possible: bool,
+    pub(crate) possible: T,
 }
 
 impl Uncertain {
@@ -30,20 +32,31 @@ impl Uncertain {
     /// Whether a true gap is zero or above.
     #[inline(always)]
     pub(crate) fn not_below<T: Number>(gap: T, error: T) -> Self {
-        let below = Self::above(-gap, error);
-        Self { certain: !below.possible, possible: !below.certain }
-    }
-
-    /// An answer without doubt.
-    #[inline(always)]
-    pub(crate) fn known(answer: bool) -> Self {
-        Self { certain: answer, possible: answer }
+        Self::above(-gap, error).not()
     }
 
     /// An answer, or doubt.
     #[inline(always)]
     pub(crate) fn of(answer: Option<bool>) -> Self {
         Self { certain: answer == Some(true), possible: answer != Some(false) }
+    }
+
+    /// Whether an axis separates; `None` in doubt.
+    #[inline(always)]
+    pub(crate) fn verdict(self) -> Option<bool> {
+        // One comparison that is nearly always false, instead of two random ones.
+        if self.certain ^ self.possible { None } else { Some(self.certain) }
+    }
+}
+
+impl<T> Uncertain<T>
+where
+    T: Copy + BitAnd<Output = T> + BitOr<Output = T> + Not<Output = T>,
+{
+    /// An answer without doubt.
+    #[inline(always)]
+    pub(crate) fn known(answer: T) -> Self {
+        Self { certain: answer, possible: answer }
     }
 
     #[inline(always)]
@@ -56,11 +69,9 @@ impl Uncertain {
         Self { certain: self.certain & other.certain, possible: self.possible & other.possible }
     }
 
-    /// Whether an axis separates; `None` in doubt.
     #[inline(always)]
-    pub(crate) fn verdict(self) -> Option<bool> {
-        // One comparison that is nearly always false, instead of two random ones.
-        if self.certain ^ self.possible { None } else { Some(self.certain) }
+    pub(crate) fn not(self) -> Self {
+        Self { certain: !self.possible, possible: !self.certain }
     }
 }
 

@@ -2,10 +2,10 @@
 //! operations as the kernel of single numbers, so its answers are the same.
 
 use super::error_bound::{ErrorBound, Sizes, error_bound};
-use super::kernel::{self, any_axis};
+use super::kernel::{Operands, any_axis};
 use super::{Disjoint, Line};
 use crate::arithmetic::{
-    Filtered, Float, InFloat, Number, Quad, THREE, cross3, greatest, largest, three_in_float,
+    Filtered, Float, InFloat, Number, Quad, THREE, cross3, greatest, three_in_float,
 };
 use crate::query::obb_rows::{ObbInFloats, Vectors, fits, holds_one, most};
 use crate::query::triangle_obb::lie_along_one_axis;
@@ -21,11 +21,11 @@ pub(super) fn is_separated<S: Scalar + InFloat<F>, F: Float>(
     if !holds_one::<S, F>() {
         return None;
     }
-    let ObbInFloats { center, axes, half } = ObbInFloats::<F>::new(question.obb);
+    let ObbInFloats { center, axes: u, half: h } = ObbInFloats::<F>::new(question.obb);
     let [p, q, ends] = question.rows();
     let (p, q, ends): ([F; 3], [F; 3], [F; 3]) =
         (three_in_float(p), three_in_float(q), three_in_float(ends));
-    if !fits::<S, F::Quad, 5>(&[p, q, ends, center, half]) {
+    if !fits::<S, F::Quad, 5>(&[p, q, ends, center, h]) {
         return None;
     }
     let from = |p: [F; 3], q: [F; 3]| [p[0] - q[0], p[1] - q[1], p[2] - q[2]];
@@ -41,36 +41,20 @@ pub(super) fn is_separated<S: Scalar + InFloat<F>, F: Float>(
             SegmentForm::Center { .. } => (q, [Some(-one), Some(one)]),
         },
     };
-    Operands { m: from(p, center), d, ends, axes, half }.is_separated::<S, F::Quad>()
-}
-
-/// A part of a line and a parallelepiped, as in the kernel of single numbers.
-struct Operands<F> {
-    m: [F; 3],
-    d: [F; 3],
-    ends: [Option<F>; 2],
-    axes: [[F; 3]; 3],
-    half: [F; 3],
+    Operands { m: from(p, center), d, ends, u, h, one }.is_separated::<S, F::Quad>()
 }
 
 impl<F: Float> Operands<F> {
     #[inline(always)]
     fn is_separated<S: InFloat<F>, Q: Quad<Lane = F>>(&self) -> Option<bool> {
         let Self { m, d, ends: [from, to], .. } = *self;
-        let (u, h) = (Vectors::<Q>::new(&self.axes), Q::of_three(self.half));
+        let (u, h) = (Vectors::<Q>::new(&self.u), Q::of_three(self.h));
         let axes = most(u.largest());
         if S::LIMIT.is_some_and(|limit| axes >= limit * S::PLACE) {
             return None;
         }
         let (zero, one) = (F::ZERO, F::from(1));
-        let farthest = |t: Option<F>| t.map_or(zero, |t| t.magnitude());
-        let sizes = Sizes {
-            axes: greatest(axes, one),
-            way: largest(&m),
-            direction: largest(&d),
-            ends: greatest(farthest(from), farthest(to)),
-            half: largest(&self.half),
-        };
+        let sizes = Sizes { axes: greatest(axes, one), ..self.sizes() };
         let error = error_bound::<Filtered<F>>(one, &sizes)?;
 
         let w = u.normals();
@@ -81,7 +65,7 @@ impl<F: Float> Operands<F> {
         // On a zero vector a rounded gap never exceeds its bound.
         if so_far.possible & !so_far.certain & THREE != 0 {
             let others = !self.zeros();
-            so_far = Axes { certain: so_far.certain & others, possible: so_far.possible & others };
+            so_far = so_far.and(Uncertain::known(others));
             if so_far.possible & !so_far.certain & THREE != 0 {
                 return self.by_second_look(&error);
             }
@@ -103,7 +87,8 @@ impl<F: Float> Operands<F> {
             }
             so_far = so_far.or(both);
         }
-        so_far.any().verdict()
+        let any = |bits: u32| bits & THREE != 0;
+        Uncertain { certain: any(so_far.certain), possible: any(so_far.possible) }.verdict()
     }
 }
 
@@ -112,53 +97,27 @@ impl<F: Float> Operands<F> {
     #[cold]
     #[inline(never)]
     fn by_second_look(&self, error: &ErrorBound<F>) -> Option<bool> {
-        let Self { m, d, ends, axes: u, half: h } = *self;
-        let s = kernel::Operands { m, d, ends, u, h, one: F::from(1) };
-        any_axis(&s, error, true).verdict()
+        any_axis(self, error, true).verdict()
     }
 
     /// The axes of the box whose product with the direction is certainly zero.
     #[inline(never)]
     fn zeros(&self) -> u32 {
-        let bit = |i: usize| u32::from(lie_along_one_axis(&self.d, &self.axes[i])) << i;
+        let bit = |i: usize| u32::from(lie_along_one_axis(&self.d, &self.u[i])) << i;
         bit(0) | bit(1) | bit(2)
     }
 }
 
-/// The verdicts on three axes, as bits.
-#[derive(Clone, Copy)]
-struct Axes {
-    certain: u32,
-    possible: u32,
-}
-
-/// The numbers that are above zero, given their errors.
+/// The numbers that are above zero, given their errors, as bits.
 #[inline(always)]
-fn exceeds<Q: Quad<Lane: Float>>(x: Q, error: Q::Lane) -> Axes {
-    Axes { certain: x.exceeds(Q::splat(error)), possible: x.may_be_above(Q::splat(error)) }
+fn exceeds<Q: Quad<Lane: Float>>(x: Q, error: Q::Lane) -> Uncertain<u32> {
+    Uncertain { certain: x.exceeds(Q::splat(error)), possible: x.may_be_above(Q::splat(error)) }
 }
 
 /// The numbers that are zero or above.
 #[inline(always)]
-fn reaches<Q: Quad<Lane: Float>>(x: Q, error: Q::Lane) -> Axes {
-    let below = exceeds(Q::splat(Q::Lane::ZERO) - x, error);
-    Axes { certain: !below.possible, possible: !below.certain }
-}
-
-impl Axes {
-    #[inline(always)]
-    fn and(self, other: Self) -> Self {
-        Self { certain: self.certain & other.certain, possible: self.possible & other.possible }
-    }
-    #[inline(always)]
-    fn or(self, other: Self) -> Self {
-        Self { certain: self.certain | other.certain, possible: self.possible | other.possible }
-    }
-    /// Whether any of the three is.
-    #[inline(always)]
-    fn any(self) -> Uncertain {
-        Uncertain { certain: self.certain & THREE != 0, possible: self.possible & THREE != 0 }
-    }
+fn reaches<Q: Quad<Lane: Float>>(x: Q, error: Q::Lane) -> Uncertain<u32> {
+    exceeds(Q::splat(Q::Lane::ZERO) - x, error).not()
 }
 
 #[cfg(all(test, not(feature = "small")))]

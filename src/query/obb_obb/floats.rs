@@ -2,21 +2,12 @@
 
 use super::error_bound::ErrorBound;
 use super::exact::{Given, in_window};
-use super::kernel::{all_axes, is_zero};
-use super::{First, Lie, kernel};
+use super::kernel::{Boxes, all_axes, is_zero};
+use super::{First, Lie};
 use crate::arithmetic::{Float, InFloat, Quad, SMALL_CODE, greatest, three_in_float};
 use crate::query::obb_rows::{ObbInFloats, fits, holds_one};
 use crate::query::relation::Relation;
 use crate::scalar::Scalar;
-
-/// Two parallelepipeds: the difference of the centres, axes and half-extents.
-pub(super) struct Boxes<F> {
-    pub(super) d: [F; 3],
-    pub(super) u: [[F; 3]; 3],
-    pub(super) h: [F; 3],
-    pub(super) v: [[F; 3]; 3],
-    pub(super) k: [F; 3],
-}
 
 /// The relation of the boxes in floats, if these hold all numbers. The boxes are passed on, because
 /// an `Option` of them would go through memory.
@@ -30,13 +21,14 @@ pub(super) fn of_boxes<S: Scalar + InFloat<F>, F: Float>(
         return None;
     }
     let ObbInFloats { center: b, axes: v, half: k } = ObbInFloats::<F>::new(second);
+    let (zero, one) = (F::ZERO, F::from(1));
     let boxes = match first {
         First::Obb(first) => {
             let ObbInFloats { center: a, axes: u, half: h } = ObbInFloats::<F>::new(first);
             if !fits::<S, F::Quad, 4>(&[a, h, b, k]) {
                 return None;
             }
-            Boxes { d: each(b, a, |b, a| b - a), u, h, v, k }
+            Boxes { d: each(b, a, |b, a| b - a), u, h, v, k, one }
         }
         First::Aabb(first) => {
             let (p, q, is_by_center) = first.numbers();
@@ -50,9 +42,8 @@ pub(super) fn of_boxes<S: Scalar + InFloat<F>, F: Float>(
             } else {
                 (each(from(p), from(q), |x, y| (x + y).half()), each(q, p, |q, p| (q - p).half()))
             };
-            let (zero, one) = (F::ZERO, F::from(1));
             let u = [[one, zero, zero], [zero, one, zero], [zero, zero, one]];
-            Boxes { d, u, h, v, k }
+            Boxes { d, u, h, v, k, one }
         }
     };
     relation(&boxes)
@@ -79,11 +70,6 @@ impl<F: Float> Boxes<F> {
             }
         };
         Given { first, second: [center, half], u: self.u, v: self.v, by_corners }
-    }
-
-    pub(super) fn as_single_numbers(&self) -> kernel::Boxes<F> {
-        let Self { d, u, h, v, k } = *self;
-        kernel::Boxes { d, u, h, v, k, one: F::from(1) }
     }
 }
 
@@ -122,8 +108,7 @@ impl<F: Float> Boxes<F> {
     #[cold]
     #[inline(never)]
     fn overlap_beside_near_axes(&self, error: &ErrorBound<F>) -> bool {
-        let relation = all_axes(&self.as_single_numbers(), error, false, true);
-        relation == Some(Relation::Overlapping)
+        all_axes(self, error, false, true) == Some(Relation::Overlapping)
     }
 
     /// The relation of boxes that are rotated by no angle or by quarter turns. It is exact if the
@@ -153,7 +138,7 @@ impl<F: Float> Boxes<F> {
             return None;
         }
         let nothing = ErrorBound { coordinate: zero, axis: zero };
-        all_axes(&self.as_single_numbers(), &nothing, true, false)
+        all_axes(self, &nothing, true, false)
     }
 
     /// Whether all axes that are not clear are certainly zero: products of each axis of one box

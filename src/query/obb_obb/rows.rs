@@ -3,7 +3,8 @@
 
 use super::Lie;
 use super::error_bound::error_bound;
-use super::floats::{Boxes, Doubt, of_boxes};
+use super::floats::{Doubt, of_boxes};
+use super::kernel::Boxes;
 use crate::arithmetic::{Each, Filtered, Float, InFloat, Quad, THREE, greatest};
 use crate::query::obb_rows::{Vectors, most, transposed};
 use crate::query::relation::{Asked, Relation};
@@ -36,7 +37,7 @@ impl<F: Float> Boxes<F> {
     /// The relation or the doubt; `None` if the numbers are out of range.
     #[inline(always)]
     fn relation<S: InFloat<F>, Q: Quad<Lane = F>>(&self) -> Option<Result<Relation, Doubt<F>>> {
-        let Self { d, u: [u0, u1, u2], h, v: [v0, v1, v2], k } = *self;
+        let Self { d, u: [u0, u1, u2], h, v: [v0, v1, v2], k, .. } = *self;
         let (u, v) = (Vectors::<Q>::new(&self.u), Vectors::new(&self.v));
         let rows = |x: [F; 3]| Q::of_three(x);
         let one = F::from(1);

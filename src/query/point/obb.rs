@@ -6,9 +6,9 @@
 
 use core::cmp::Ordering;
 
-use crate::arithmetic::{Each, Embeds, Number, Parts, cross3, dot3, greatest, largest, pick};
+use crate::arithmetic::{Each, Embeds, Number, cross3, dot3, greatest, largest, pick, turn};
 use crate::query::triangle_obb::{error_bound, operands, way};
-use crate::robust::{ExactSum, Predicate, Uncertain, Vector, add_determinant, singles};
+use crate::robust::{ExactSum, Predicate, Uncertain, add_determinant, differences, singles};
 use crate::scalar::Scalar;
 use crate::shape::{Obb, Vec3};
 
@@ -46,39 +46,20 @@ impl<S: Scalar> Predicate<S> for Outside<'_, S> {
     fn exact(&self) -> bool {
         let axes = self.obb.axes_as_arrays().each(singles);
         let half = self.obb.half_extents().to_array();
-        let (point, center) = (self.point, self.obb.center().to_array());
-        let volume = {
-            let mut sum = S::SeptumSum::new();
-            add_volume(&mut sum, &axes, S::ONE);
-            sum.sign()
-        };
+        let d = differences(&self.point, &self.obb.center().to_array());
+        let volume = self.obb.hand();
         (0..3).any(|i| {
-            // The axis replaced by the point, and by the centre.
-            let replaced = |by: &[S; 3]| {
-                let mut axes = axes;
-                let by = singles(*by);
-                match i {
-                    0 => axes[0] = by,
-                    1 => axes[1] = by,
-                    _ => axes[2] = by,
-                }
-                axes
-            };
-            let (to, from) = (replaced(&point), replaced(&center));
+            let (i, j, k) = turn(i);
             let h = pick(&half, i).parts();
             [Ordering::Greater, Ordering::Less].into_iter().any(|side| {
                 let mut gap = S::SeptumSum::new();
-                add_volume(&mut gap, &to, S::ONE);
-                add_volume(&mut gap, &from, S::ONE.negated());
-                add_volume(&mut gap, &axes, if volume == side { h.negated() } else { h });
+                add_determinant(&mut gap, [pick(&axes, j), pick(&axes, k), &d], Some(S::ONE));
+                let h = if volume == side { h.negated() } else { h };
+                add_determinant(&mut gap, axes.each_ref(), Some(h));
                 gap.sign() == side
             })
         })
     }
-}
-
-fn add_volume<T: ExactSum>(sum: &mut T, [a, b, c]: &[Vector; 3], factor: Parts) {
-    add_determinant(sum, [a, b, c], Some(factor));
 }
 
 impl<S: Scalar> Obb<S> {
