@@ -3,6 +3,7 @@
 
 use core::ops::Add;
 
+use super::big_int::BigInt;
 use super::limbs::{Limbs, Wide};
 
 /// An unsigned integer for [`over_root`]; its default is zero. Sums fit.
@@ -54,13 +55,8 @@ impl<const L: usize> Add for Limbs<L> {
 
     #[inline(always)]
     fn add(self, other: Self) -> Self {
-        let (mut limbs, mut carry) = ([0; L], false);
-        for k in 0..L {
-            let (sum, over) = self.0[k].overflowing_add(other.0[k]);
-            let (sum, over_too) = sum.overflowing_add(carry.into());
-            (limbs[k], carry) = (sum, over || over_too);
-        }
-        Self(limbs)
+        let BigInt(sum) = BigInt(self.0) + BigInt(other.0);
+        Self(sum)
     }
 }
 

@@ -9,8 +9,9 @@ use core::cmp::Ordering;
 use super::exact::length;
 use super::measures::Lengths;
 use super::nearest::Place;
-use super::scene::{Way, along, product};
+use super::scene::Way;
 use crate::arithmetic::{Arithmetic, Embeds, Number, Soft, cross, three};
+use crate::query::{along, product};
 use crate::scalar::Scalar;
 
 /// A translation of the round shape out of the flat one, in exact numbers.

@@ -12,9 +12,9 @@
 //! All signs are of products of two to four lengths, in exact numbers.
 
 use super::answer::Part;
-use super::scene::{CORNERS, Scene, Way, along, product};
+use super::scene::{CORNERS, Scene, Way};
 use crate::arithmetic::{Arithmetic, Each, Number, Soft, cross, dot, sign};
-use crate::query::{Vector, from};
+use crate::query::{Vector, along, from, product};
 
 /// A point of the solid.
 pub(super) enum Place<N: Arithmetic> {

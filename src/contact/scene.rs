@@ -6,7 +6,7 @@ use super::interior::InteriorEdges;
 use crate::arithmetic::{
     Arithmetic, Each, Number, compare, cross, dot, greatest, pick, sign, three, turn,
 };
-use crate::query::{Vector, from};
+use crate::query::{Vector, along, from, product};
 
 /// The most corners of a shape.
 pub(super) const CORNERS: usize = 8;
@@ -29,16 +29,6 @@ pub(super) struct Scene<N: Arithmetic> {
     /// From the first end to the second.
     pub(super) e: Vector<N>,
     pub(super) one: N::Length,
-}
-
-/// a·b.
-pub(super) fn product<N: Arithmetic>(a: &Vector<N>, b: &Vector<N>) -> N::Area {
-    N::area(a[0], b[0]) + N::area(a[1], b[1]) + N::area(a[2], b[2])
-}
-
-/// a·b, of areas.
-pub(super) fn along<N: Arithmetic>(a: &[N::Area; 3], b: &[N::Area; 3]) -> N::Quartic {
-    N::quartic(a[0], b[0]) + N::quartic(a[1], b[1]) + N::quartic(a[2], b[2])
 }
 
 impl<N: Arithmetic> Way<N> {

@@ -70,7 +70,7 @@ pub use ray_triangle::{Cull, Facing, Feature, Hit, HitRay, HitRules, HitTriangle
 pub use relation::{Relate, Relation};
 pub(crate) use row_triangle::crossing;
 pub use sphere::Closest;
-pub(crate) use sphere::compare_distances;
+pub(crate) use sphere::{along, compare_distances, product};
 #[cfg(feature = "fixed")]
 pub use sweep::Moving;
 pub use sweep::{FirstContact, Motion, SphereContact, Sweep};

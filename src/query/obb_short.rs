@@ -71,7 +71,9 @@ pub(super) fn bits<const K: usize>(numbers: &[[i64; 3]; K]) -> i32 {
     size(numbers).bits()
 }
 
-fn raw<S: InRaw>(v: &Vec3<S>) -> [i64; 3] {
+/// The raw bits of a vector.
+#[inline(always)]
+pub(super) fn raw<S: InRaw>(v: &Vec3<S>) -> [i64; 3] {
     [v.x.raw().into(), v.y.raw().into(), v.z.raw().into()]
 }
 

@@ -101,35 +101,11 @@ pub(super) struct Nearness {
 }
 
 impl Nearness {
-    pub(super) const NONE: Self = Self { is_disjoint: false, is_near: false };
-
-    /// Adds an axis. `gap` is the distance between the two projections (negative if they overlap),
-    /// and `extent` their length together.
-    #[inline(always)]
-    pub(super) fn add<T: Number>(&mut self, gap: T, extent: T, error: T) {
-        self.is_disjoint |= Uncertain::above(gap, error).certain;
-        // Two projections to one point do not touch. That is certain only without rounding.
-        self.is_near |=
-            Uncertain::not_below(gap, error).possible & Uncertain::above(extent, error).possible;
-    }
-
     /// Adds an axis, given whether it separates and whether it may touch.
     #[inline(always)]
     pub(super) fn add_known(&mut self, is_disjoint: bool, is_near: bool) {
         self.is_disjoint |= is_disjoint;
         self.is_near |= is_near;
-    }
-
-    /// The relation; `None` in doubt.
-    #[inline(always)]
-    pub(super) fn relation(&self, is_certain: bool) -> Option<Relation> {
-        if self.is_disjoint {
-            Some(Relation::Disjoint)
-        } else if !self.is_near {
-            Some(Relation::Overlapping)
-        } else {
-            is_certain.then_some(Relation::Touching)
-        }
     }
 }
 
@@ -140,7 +116,8 @@ pub(super) trait Reading {
     /// Whether the answer distinguishes touching from overlapping.
     const TELLS_CONTACT: bool;
 
-    /// Adds an axis, as [`Nearness::add`].
+    /// Adds an axis. `gap` is the distance between the two projections (negative if they overlap),
+    /// and `extent` their length together.
     fn add<T: Number>(&mut self, gap: T, extent: T, error: T);
 
     /// Adds an axis. Unless `is_own`, a later axis has the same direction, and this one counts only
@@ -188,12 +165,15 @@ impl Reading for Uncertain {
 
 impl Reading for Nearness {
     type Answer = Relation;
-    const NONE: Self = Self::NONE;
+    const NONE: Self = Self { is_disjoint: false, is_near: false };
     const TELLS_CONTACT: bool = true;
 
     #[inline(always)]
     fn add<T: Number>(&mut self, gap: T, extent: T, error: T) {
-        self.add(gap, extent, error);
+        self.is_disjoint |= Uncertain::above(gap, error).certain;
+        // Two projections to one point do not touch. That is certain only without rounding.
+        self.is_near |=
+            Uncertain::not_below(gap, error).possible & Uncertain::above(extent, error).possible;
     }
     #[inline(always)]
     fn add_if<T: Number>(&mut self, is_own: bool, gap: T, extent: T, error: T) {
@@ -207,7 +187,13 @@ impl Reading for Nearness {
     }
     #[inline(always)]
     fn answer(&self, is_certain: bool) -> Option<Relation> {
-        self.relation(is_certain)
+        if self.is_disjoint {
+            Some(Relation::Disjoint)
+        } else if !self.is_near {
+            Some(Relation::Overlapping)
+        } else {
+            is_certain.then_some(Relation::Touching)
+        }
     }
     #[inline(always)]
     fn of(relation: Relation) -> Relation {

@@ -3,7 +3,7 @@
 mod kernel;
 
 use crate::arithmetic::{Each, Embeds, Number, compare, greatest};
-use crate::query::relation::{Nearness, Relate, Relation, of_gaps};
+use crate::query::relation::{Nearness, Reading, Relate, Relation, of_gaps};
 use crate::robust::{Predicate, Profile};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, Overlaps};
@@ -72,7 +72,7 @@ impl<S: Scalar> Predicate<S> for Lie<S> {
             let extent = r + r - (before + after);
             found.add(d - r, extent, (d.magnitude() + r).error(GAP));
         }
-        found.relation(N::CERTAIN)
+        found.answer(N::CERTAIN)
     }
 
     fn exact(&self) -> Relation {

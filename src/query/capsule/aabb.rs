@@ -1,10 +1,10 @@
 //! Capsule against axis-aligned box.
 
 use super::{Between, all_beyond, meets_box};
-use crate::arithmetic::{Arithmetic, Embeds, Number, greatest, largest, three, two};
+use crate::arithmetic::{Arithmetic, Each, Embeds, Number, greatest, largest, three, two};
 use crate::query::Overlaps;
 use crate::query::orientation::{Vector, from};
-use crate::query::sphere::{Ball, Beyond, Reach};
+use crate::query::sphere::{Ball, Beyond, Reach, to_corners};
 use crate::robust::Predicate;
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, Capsule};
@@ -20,15 +20,7 @@ impl<S: Scalar> Predicate<S> for Beyond<'_, Capsule<S>, Aabb<S>> {
         let [a, b, p, q, [r, ..]] = N::embed(&all)?;
         let reach = Reach::<N>::new(r, self.ball);
         // From each end to both extreme corners, and the extents.
-        let corners = |end: &Vector<N>| {
-            let d = from::<N>(&p, end);
-            if is_by_center {
-                [from::<N>(&d, &q), three(|i| d[i] + q[i])]
-            } else {
-                [d, from::<N>(&q, end)]
-            }
-        };
-        let to = [corners(&a), corners(&b)];
+        let to = [a, b].each(|end| to_corners::<N>(&end, [&p, &q], is_by_center));
         let (extents, slack) = if is_by_center {
             let d = greatest(largest(&from::<N>(&p, &a)), largest(&from::<N>(&p, &b)));
             (three(|i| q[i] + q[i]), greatest(d, largest(&q)))

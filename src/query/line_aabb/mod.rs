@@ -4,7 +4,7 @@ use core::marker::PhantomData;
 
 use super::crossing::Entries;
 use crate::arithmetic::{Arithmetic, Each, Embeds, Number, compare, greatest, least, once, pick};
-use crate::query::relation::{Nearness, Relation, of_gaps};
+use crate::query::relation::{Nearness, Reading, Relation, of_gaps};
 use crate::robust::Uncertain;
 
 /// Roundoffs in a comparison of two products, per sum of their sizes.
@@ -227,7 +227,7 @@ impl<N: Arithmetic> Slabs<N> {
             let error = size.error(ROUNDOFFS) + N::Area::UNDERFLOW;
             found.add(greatest(before, after), -(before + after), error);
         }
-        let between = found.relation(N::CERTAIN)?;
+        let between = found.answer(N::CERTAIN)?;
         if !N::CERTAIN || between != Relation::Touching {
             return Some(between);
         }

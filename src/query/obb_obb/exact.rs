@@ -6,7 +6,7 @@ use core::cmp::Ordering;
 
 use super::{First, Lie};
 use crate::arithmetic::{BigInt, Each, Embeds, Float, Number, Parts, Window, cross, dot, three};
-use crate::query::relation::{Nearness, Relation, of_gaps};
+use crate::query::relation::{Nearness, Reading, Relation, of_gaps};
 use crate::robust::{ExactSum, Linear, Vector, add_determinant, along_axis, difference, singles};
 use crate::scalar::Scalar;
 use crate::shape::{AabbForm, Obb};
@@ -152,5 +152,5 @@ pub(super) fn in_window<F: Float>(boxes: &Given<F>, open: u32) -> Option<Relatio
             break;
         }
     }
-    found.relation(true)
+    found.answer(true)
 }

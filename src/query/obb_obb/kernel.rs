@@ -41,7 +41,7 @@ use core::ops::Mul;
 
 use super::error_bound::ErrorBound;
 use crate::arithmetic::{Number, cross3, dot3, three, turn};
-use crate::query::relation::{Nearness, Relation};
+use crate::query::relation::{Nearness, Reading, Relation};
 use crate::query::triangle_obb::lie_along_one_axis;
 
 /// Two parallelepipeds as operands of products: the difference of the centres, axes and
@@ -154,5 +154,5 @@ pub(super) fn all_axes<P: Number + Mul<Output = P>>(
             add(&mut found, distance, reach);
         }
     }
-    found.relation(is_certain)
+    found.answer(is_certain)
 }

@@ -55,13 +55,13 @@ pub(super) struct Near<T> {
 // Not inlined on s390x: see `scalar::axes::faces_in_double`.
 #[cfg_attr(not(target_arch = "s390x"), inline(always))]
 #[cfg_attr(target_arch = "s390x", inline(never))]
-pub(in crate::query) fn product<N: Arithmetic>(a: &Vector<N>, b: &Vector<N>) -> N::Area {
+pub(crate) fn product<N: Arithmetic>(a: &Vector<N>, b: &Vector<N>) -> N::Area {
     part(|| N::area(a[0], b[0]) + N::area(a[1], b[1]) + N::area(a[2], b[2]))
 }
 
 /// a·b, of areas.
 #[inline(always)]
-pub(in crate::query) fn along<N: Arithmetic>(a: &[N::Area; 3], b: &[N::Area; 3]) -> N::Quartic {
+pub(crate) fn along<N: Arithmetic>(a: &[N::Area; 3], b: &[N::Area; 3]) -> N::Quartic {
     part(|| N::quartic(a[0], b[0]) + N::quartic(a[1], b[1]) + N::quartic(a[2], b[2]))
 }
 
@@ -207,6 +207,17 @@ pub(in crate::query) fn around<N: Arithmetic>(
         three(|k| from::<N>(point, &vertices[k])),
         three(|k| from::<N>(&vertices[(k + 1) % 3], &vertices[k])),
     ]
+}
+
+/// The vectors from a point to both extreme corners of a box; by the numbers of its form.
+#[inline(always)]
+pub(in crate::query) fn to_corners<N: Arithmetic>(
+    point: &Vector<N>,
+    [p, q]: [&Vector<N>; 2],
+    is_by_center: bool,
+) -> [Vector<N>; 2] {
+    let d = from::<N>(p, point);
+    if is_by_center { [from::<N>(&d, q), three(|i| d[i] + q[i])] } else { [d, from::<N>(q, point)] }
 }
 
 /// The vectors from both ends of a segment to a point, and along the segment; by the numbers of its

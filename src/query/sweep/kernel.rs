@@ -64,7 +64,7 @@ impl<N: Arithmetic> Course<N> {
         if !found.is_disjoint {
             self.read_slanted(&mut found)?;
         }
-        found.relation(N::CERTAIN)
+        found.answer(N::CERTAIN)
     }
 
     /// All axes except the faces.

@@ -29,6 +29,7 @@ use super::frame::{BoxForm, Frame};
 use super::kernel::any_axis;
 use super::offsets;
 use crate::arithmetic::{InRaw, Int16};
+use crate::query::obb_short::raw;
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Triangle, Vec3};
 
@@ -103,11 +104,4 @@ fn cut_down<S: Scalar + InRaw>(
         }
     }
     (short, if shift > 0 { 2 } else { 0 })
-}
-
-/// The raw bits of a vector.
-#[inline(always)]
-fn raw<S: InRaw + Copy>(v: &Vec3<S>) -> [i64; 3] {
-    let bits = |x: S| x.raw().into();
-    [bits(v.x), bits(v.y), bits(v.z)]
 }

@@ -11,7 +11,7 @@ use super::kernel::{
 use crate::arithmetic::{Arithmetic, Embeds, InWord, Number, REGISTERS_ARE_WIDE, Word};
 use crate::arithmetic::{Each, dot, greatest, of_two};
 use crate::query::Axis;
-use crate::query::relation::{Nearness, Relate, Relation};
+use crate::query::relation::{Nearness, Reading, Relate, Relation};
 use crate::robust::{Predicate, WordKernel};
 use crate::scalar::{FixedBackend, Scalar};
 #[cfg(feature = "fixed")]
@@ -97,7 +97,7 @@ fn all_axes<N: Arithmetic>(frame: &Frame<N>) -> Option<Relation> {
     let reach = dot::<N>(&n.each(N::Area::magnitude), &frame.h);
     // A box that is a point in the triangle's plane has no reach off it.
     found.add(distance.magnitude() - reach, reach, bound.plane);
-    found.relation(N::CERTAIN)
+    found.answer(N::CERTAIN)
 }
 
 impl<S: Scalar> Relate<Aabb<S>> for Triangle<S> {

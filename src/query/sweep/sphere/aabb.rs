@@ -13,6 +13,7 @@ use core::cmp::Ordering;
 use super::{Passing, SphereContact};
 use crate::arithmetic::{Arithmetic, Each, Enclosed, Number, pick, sign_of, three};
 use crate::query::orientation::{Vector, from};
+use crate::query::sphere::to_corners;
 use crate::query::surd::{Equation, Question, root};
 use crate::scalar::Scalar;
 use crate::shape::Aabb;
@@ -82,22 +83,13 @@ impl<S: Scalar> Question<S, 6> for Passing<'_, S, Aabb<S>> {
         N: Arithmetic<Area: Enclosed, Quartic: Enclosed, Sextic: Enclosed>,
     {
         let [center, [r, ..], start, end, p, q] = numbers;
-        let (d, to_p) = (from::<N>(end, start), from::<N>(p, center));
+        let d = from::<N>(end, start);
         let (.., is_by_center) = self.shape.numbers();
-        let faces = three(|i| {
-            if is_by_center {
-                [to_p[i] - q[i], to_p[i] + q[i]]
-            } else {
-                [to_p[i], q[i] - center[i]]
-            }
-        });
+        let [low, high] = to_corners::<N>(center, [p, q], is_by_center);
         let [x, y, z] = d.each(sign_of);
         let is_turned = [x?, y?, z?].each(|sign| sign == Ordering::Less);
         let course = Course::<N> {
-            faces: three(|i| {
-                let [low, high] = faces[i];
-                if is_turned[i] { [-high, -low] } else { [low, high] }
-            }),
+            faces: three(|i| if is_turned[i] { [-high[i], -low[i]] } else { [low[i], high[i]] }),
             d: three(|i| if is_turned[i] { -d[i] } else { d[i] }),
             r2: N::area(*r, *r),
         };

@@ -4,10 +4,10 @@
 //! a roundoff of each and of themselves: the slack is the sum of these sizes.
 
 use super::Passing;
-use crate::arithmetic::{Arithmetic, Embeds, Number, greatest, largest, pick, three, two};
+use crate::arithmetic::{Arithmetic, Embeds, Number, largest, pick, three, two};
 use crate::query::capsule::{box_lies_beyond, triangle_lies_beyond};
 use crate::query::orientation::{Vector, from};
-use crate::query::sphere::{Ball, Reach, around};
+use crate::query::sphere::{Ball, Reach, around, largest_of, to_corners};
 use crate::robust::{Numeric, Predicate, Uncertain};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, Triangle};
@@ -40,12 +40,6 @@ fn lie_aside<N: Arithmetic, const K: usize>(
     is_above(|x| x).contains(&true) || is_above(|x| -x).contains(&true)
 }
 
-/// The greatest magnitude in vectors.
-#[inline(always)]
-fn greatest_of<N: Arithmetic, const K: usize>(vectors: &[Vector<N>; K]) -> N::Length {
-    vectors.iter().fold(N::Length::ZERO, |size, v| greatest(size, largest(v)))
-}
-
 impl<S: Scalar> Predicate<S> for Beyond<'_, S, Triangle<S>> {
     type Answer = bool;
 
@@ -59,7 +53,7 @@ impl<S: Scalar> Predicate<S> for Beyond<'_, S, Triangle<S>> {
         let [to_start, edges] = around::<N>(&center, &[a, b, c]);
         let to_end = three(|k| three(|i| to_start[k][i] + d[i]));
         let slack =
-            if N::CERTAIN { N::Length::ZERO } else { greatest_of::<N, 3>(&to_start) + largest(&d) };
+            if N::CERTAIN { N::Length::ZERO } else { largest_of::<N, 3>(&to_start) + largest(&d) };
         if lie_aside::<N, 3>([&to_start, &to_end], r, slack) {
             return Some(true);
         }
@@ -78,16 +72,13 @@ impl<S: Scalar> Predicate<S> for Beyond<'_, S, Aabb<S>> {
         let [center, [r, ..], start, end, p, q] = N::embed(&[center, radius, start, end, p, q])?;
         let (d, to_p) = (from::<N>(&end, &start), from::<N>(&p, &center));
         // From each end to both extreme corners.
-        let (at_start, extents) = if is_by_center {
-            ([from::<N>(&to_p, &q), three(|i| to_p[i] + q[i])], three(|i| q[i] + q[i]))
-        } else {
-            ([to_p, from::<N>(&q, &center)], from::<N>(&q, &p))
-        };
+        let at_start = to_corners::<N>(&center, [&p, &q], is_by_center);
+        let extents = if is_by_center { three(|i| q[i] + q[i]) } else { from::<N>(&q, &p) };
         let at_end = two(|k| from::<N>(&at_start[k], &d));
         let slack = if N::CERTAIN {
             N::Length::ZERO
         } else {
-            largest(&to_p) + greatest_of::<N, 2>(&at_start) + largest(&d)
+            largest(&to_p) + largest_of::<N, 2>(&at_start) + largest(&d)
         };
         if lie_aside::<N, 2>([&at_start, &at_end], r, slack) {
             return Some(true);
