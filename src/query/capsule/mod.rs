@@ -6,14 +6,13 @@
 //! ends from the shape, or as the segment from an edge. Therefore a pair asks the segment's own
 //! `overlaps`, and a question about distances.
 
-mod aabb;
+mod boxes;
 mod crossing;
-mod obb;
 mod ray;
 mod relation;
 mod triangle;
 
-pub(super) use self::aabb::box_lies_beyond;
+pub(super) use self::boxes::box_lies_beyond;
 pub(super) use self::crossing::Crossing;
 use self::triangle::meets_triangle;
 pub(super) use self::triangle::triangle_lies_beyond;

@@ -11,18 +11,18 @@
 //! shapes in one plane and degenerate shapes come here.
 
 mod sides;
-mod whole;
 
 use core::cmp::Ordering;
 
 use self::sides::share_a_point;
-pub(crate) use self::sides::{Vector, from};
-pub(super) use self::sides::{are_apart, sides, size};
-use self::whole::Whole;
 use super::relation::{Asked, Relation};
 use crate::arithmetic::{
     Arithmetic, Each, Int64Narrow, Number, REGISTERS_ARE_WIDE, pick, three, turn,
 };
+use sides::Whole;
+
+pub(crate) use self::sides::{Vector, from};
+pub(super) use self::sides::{are_apart, sides, size};
 
 /// Six points: the vertices of the first shape and of the second.
 pub(super) trait Points {

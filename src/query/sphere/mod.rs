@@ -9,27 +9,27 @@ mod foot;
 mod kernel;
 mod obb;
 mod plane;
-mod range;
 mod ray;
 mod relation;
 
-pub use self::closest::Closest;
-pub(crate) use self::distance::compare_distances;
-pub(super) use self::error_bound::{Errors, PRODUCT, SQUARES};
 use self::kernel::to_ends;
-pub(super) use self::kernel::{Ball, Reach, around, largest_of, minors, to_corners, volume};
-pub(crate) use self::kernel::{along, product};
-pub(super) use self::obb::{Corners, corners};
-pub(super) use self::plane::OneSide;
-pub(super) use self::range::{at_distance, first_at_distance};
-pub(super) use self::ray::{Way, numbers};
-pub(super) use self::relation::of_ball;
 use super::Overlaps;
 use super::orientation::{Vector, from};
 use crate::arithmetic::{Embeds, Number, greatest, largest, three};
 use crate::robust::{Numeric, Predicate, Profile};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, Segment, Sphere, Vec3};
+
+pub use self::closest::Closest;
+pub(crate) use self::distance::compare_distances;
+pub(super) use self::error_bound::{Errors, PRODUCT, SQUARES};
+pub(super) use self::kernel::{Ball, Reach, around, largest_of, minors, to_corners, volume};
+pub(crate) use self::kernel::{along, product};
+pub(super) use self::obb::{Corners, corners};
+pub(super) use self::plane::OneSide;
+pub(super) use self::ray::{Way, numbers};
+pub(super) use self::relation::of_ball;
+pub(super) use ray::{at_distance, first_at_distance};
 
 /// The question whether a shape lies outside of a sphere, or its boundary farther from a capsule's
 /// segment than the capsule's radius.
