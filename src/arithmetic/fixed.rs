@@ -5,21 +5,19 @@
 
 use core::cmp::Ordering;
 
-use fixed::types::extra::{LeEqU8, LeEqU16, LeEqU32, LeEqU64};
-use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
-
 use super::big_int::BigInt;
 use super::ends::{enclosed, enclosed_on_line};
 use super::filtered::{Filtered, compare_quotient};
 use super::float::exp2;
 use super::in_float::{FirstFloat, InFloat};
 use super::integer::{Int8, Int16, Int32, Int64, IntNear, below};
-use super::nearest_whole::{nearest_of_all, nearest_whole, nearest_whole_of_row};
 use super::number::Number;
-use super::quotient::Dividend;
+use super::quotient::{Dividend, nearest_of_all, nearest_whole, nearest_whole_of_row};
 use super::system::{Arithmetic, Embeds, convert};
 use super::window::{Limbs2, Limbs4, ShortWindow, Window};
 use super::words::{InRaw, InWholeWord, InWord, WholeVolume, WholeWord, Word};
+use fixed::types::extra::{LeEqU8, LeEqU16, LeEqU32, LeEqU64};
+use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
 
 /// Exact numbers for each type, in integers of the machine or in a window, and the coordinates that
 /// they hold.

@@ -16,8 +16,6 @@ mod integer;
 mod interval;
 mod limbs;
 mod multiples;
-#[cfg(feature = "fixed")]
-mod nearest_whole;
 mod number;
 mod offset;
 mod parts;
@@ -26,7 +24,6 @@ mod portion;
 mod quad;
 #[cfg(feature = "fixed")]
 mod quotient;
-mod reciprocal;
 #[cfg(feature = "fixed")]
 mod root;
 mod rounded;

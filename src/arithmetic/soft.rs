@@ -5,12 +5,15 @@
 //! ([`portion`](super::portion)), and to compute the lengths, quotients and roots of a least
 //! translation.
 
+#[cfg(test)]
+mod tests;
+
 use super::double::Double;
 use super::float::exp2;
 use super::integer::full_product;
 use super::limbs::divided_by_places;
 use super::platform::{REGISTERS_ARE_WIDE, Slack};
-use super::reciprocal::divided;
+use super::portion::divided_by_reciprocal;
 
 /// A number x with mantissa·2^exponent ≤ x ≤ (mantissa + slack)·2^exponent.
 ///
@@ -203,7 +206,7 @@ impl Soft {
     #[inline(never)]
     fn over_by_reciprocal(self, other: Self) -> Self {
         let ((_, s), (b, t)) = (self.parts(), other.parts());
-        let (quotient, rest) = divided(self.mantissa, other.mantissa);
+        let (quotient, rest) = divided_by_reciprocal(self.mantissa, other.mantissa);
         let (b, rest) = (b | 1 << 63, u128::from(rest));
         let (lack, more) = ((u128::from(quotient) * t).saturating_sub(rest), rest + (s << 63));
         let least = quotient.wrapping_sub(small_quotient(lack, b + t, other.slack));
@@ -235,7 +238,7 @@ impl Soft {
             // Its top bit is set, so the compiler sees that it is not zero and links no panic.
             ((u128::from(self.mantissa) << 63) / u128::from(den.mantissa | 1 << 63)) as u64
         } else {
-            divided(self.mantissa, den.mantissa).0
+            divided_by_reciprocal(self.mantissa, den.mantissa).0
         };
         (quotient, self.exponent - den.exponent - 63)
     }
@@ -331,6 +334,3 @@ pub(crate) fn whole(m: u128, exponent: i32, is_up: bool) -> u128 {
     // No overflow: all callers pass an m far below the greatest number.
     m.saturating_add(add) >> down
 }
-
-#[cfg(test)]
-mod tests;

@@ -9,8 +9,8 @@ use core::mem::size_of;
 
 use super::answer::Part;
 use super::body::{Flat, Round, dot};
-use super::interior::InteriorEdges;
 use super::line::{Line, less, roundoffs};
+use super::mesh::InteriorEdges;
 use super::settled::{Known, is_single};
 use crate::arithmetic::{Each, REGISTERS_ARE_WIDE, exp2, largest, root_of_machine, three};
 use crate::scalar::Scalar;

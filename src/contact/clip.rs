@@ -2,8 +2,7 @@
 
 use super::answer::Part;
 use super::body::{Vec64, dot};
-use super::faces::{CORNERS, Face};
-use super::known::{Known, next, ones, parts, transposed, within};
+use super::faces::{CORNERS, Face, Known, next, ones, parts, transposed, within};
 use super::quads::Quads;
 use super::sides::side;
 use super::view::{Corner, Pair, Pairs, View, along, flat};

@@ -3,8 +3,7 @@
 
 use core::cmp::Ordering;
 
-use super::axes::Axes;
-use super::directions::Direction;
+use super::directions::{Axes, Direction};
 use super::integers::Words;
 use super::whole::Pair;
 use crate::arithmetic::{Each, greatest, pick};

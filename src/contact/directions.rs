@@ -1,7 +1,8 @@
-//! The directions along which shapes may be separated.
+//! The directions along which shapes may be separated, and which of them are superfluous before any is
+//! measured.
 
 use super::body::Body;
-use crate::arithmetic::{Each, turn};
+use crate::arithmetic::{Each, Number, REGISTERS_ARE_WIDE, pick, three, turn, two};
 use crate::scalar::Scalar;
 
 /// An axis: the cross product of two sides of the shapes.
@@ -89,5 +90,124 @@ impl Direction {
     pub(super) const fn numbers(self, are_triangles: [bool; 2]) -> [u8; 2] {
         let [(p, i), (q, j)] = self.sides(are_triangles);
         [(3 * p + i) as u8, (3 * q + j) as u8]
+    }
+}
+
+/// Which directions are certainly zero, or equal to an earlier one.
+pub(super) struct Axes {
+    are_triangles: [bool; 2],
+    /// The axes of each box that equal one of the opposite box, as bits 3·shape + k. In one number: two bytes
+    /// that are read together wait for their stores.
+    shared: u8,
+    /// The coordinates of each side that are not zero, as bits.
+    nonzero: [[u8; 3]; 2],
+    /// Coordinate axes that have occurred, as directions that are not zero.
+    seen: [bool; 3],
+    /// The axis of the first box that equals each axis of the second, if there is one.
+    pub(super) same: [Option<usize>; 3],
+}
+
+impl Axes {
+    /// The facts, given the sides of both shapes in one unit. `are_exact` means that different sides have
+    /// different numbers.
+    pub(super) fn new<T: Number>(
+        sides: [&[[T; 3]; 3]; 2],
+        are_triangles: [bool; 2],
+        are_exact: bool,
+    ) -> Self {
+        let [first, second] = sides;
+        let mut same = [None; 3];
+        if are_exact && are_triangles == [false; 2] {
+            for (same, v) in same.iter_mut().zip(second) {
+                let is_along = |u: &[T; 3]| (0..3).all(|i| u[i] == v[i]);
+                let is_against = |u: &[T; 3]| (0..3).all(|i| u[i] == -v[i]);
+                *same = first.iter().position(|u| is_along(u) || is_against(u));
+            }
+        }
+        let mut shared = 0;
+        for (j, same) in same.iter().enumerate() {
+            if let Some(i) = same {
+                shared |= 1 << i | 8 << j;
+            }
+        }
+        let bit = |x: &T, i: usize| u8::from(!x.is_zero()) << i;
+        let bits = |[x, y, z]: &[T; 3]| bit(x, 0) | bit(y, 1) | bit(z, 2);
+        let are_clear = |sides: &[[T; 3]; 3]| !sides.as_flattened().iter().any(T::is_zero);
+        // As hosts mostly find them.
+        let nonzero = if REGISTERS_ARE_WIDE && are_clear(first) && are_clear(second) {
+            [[7; 3]; 2]
+        } else {
+            two(|n| three(|k| bits(&sides[n][k])))
+        };
+        Self { are_triangles, shared, nonzero, seen: [false; 3], same }
+    }
+
+    /// Whether a direction of two boxes is zero, or equal to an earlier one, because of axes that
+    /// the boxes share.
+    fn is_shared(&self, direction: Direction) -> bool {
+        let (first, second) = (self.shared & 7, self.shared >> 3);
+        match direction {
+            Direction::Face { is_second: false, .. } => false,
+            Direction::Face { is_second: true, k } => (second | 1 << k) == 7,
+            // If v_j equals an axis of the first box, u_i × v_j is zero or a face normal of the
+            // first box. If u_i equals an axis of the second box, it is zero or a face normal of
+            // the second box.
+            Direction::Sides(i, j) => (first >> i | second >> j) & 1 == 1,
+        }
+    }
+
+    /// Whether both are boxes, with the same axes.
+    pub(super) fn are_alike(&self) -> bool {
+        self.shared == 63
+    }
+
+    /// Whether both are boxes with the coordinate axes.
+    pub(super) fn are_aligned(&self) -> bool {
+        self.are_alike() && self.nonzero[0].iter().all(|bits| bits.is_power_of_two())
+    }
+
+    /// The directions that are not certainly zero or equal to an earlier one, as bits.
+    /// `is_clear` says whether coordinate `axis`, the only one of a direction that may differ from zero,
+    /// certainly does.
+    pub(super) fn needed(
+        &mut self,
+        all: &[Direction],
+        is_clear: impl Fn(Direction, usize) -> bool,
+    ) -> u16 {
+        let every = u16::MAX >> (16 - all.len() as u32 % 16);
+        match self.shared {
+            // The faces of the first box.
+            _ if self.are_alike() => 7,
+            0 if self.nonzero == [[7; 3]; 2] => every,
+            _ => all.iter().enumerate().fold(0, |needed, (n, direction)| {
+                needed | u16::from(!self.is_superfluous(*direction, &is_clear)) << n
+            }),
+        }
+    }
+
+    fn is_superfluous(
+        &mut self,
+        direction: Direction,
+        is_clear: impl Fn(Direction, usize) -> bool,
+    ) -> bool {
+        if self.is_shared(direction) {
+            return true;
+        }
+        let sides = direction.sides(self.are_triangles);
+        let [x, y] = sides.each(|(shape, k)| u32::from(*pick(&self.nonzero[shape % 2], k)));
+        // Bit i of the first has coordinate i + 1, and of the second i + 2, modulo three.
+        let turned = |bits: u32| [bits >> 1 | bits << 2, bits >> 2 | bits << 1];
+        let ([x1, x2], [y1, y2]) = (turned(x), turned(y));
+        // The coordinates with products that are not zero, underflow apart.
+        let products = (x1 & y2 | x2 & y1) & 7;
+        if !products.is_power_of_two() {
+            return products == 0;
+        }
+        let axis = products.trailing_zeros() as usize % 3;
+        if self.seen[axis] {
+            return true;
+        }
+        self.seen[axis] = is_clear(direction, axis);
+        false
     }
 }

@@ -3,9 +3,8 @@
 use core::mem::size_of;
 use core::ops::Div;
 
-use super::axes::Axes;
 use super::body::Rough;
-use super::directions::Direction;
+use super::directions::{Axes, Direction};
 use super::lanes::Lanes;
 use crate::arithmetic::{Float, Number, exp2, largest, pick, three, turn, two};
 use crate::scalar::Scalar;

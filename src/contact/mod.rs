@@ -113,7 +113,6 @@
 
 mod answer;
 mod apart;
-mod axes;
 mod body;
 mod clip;
 mod cut;
@@ -122,10 +121,7 @@ mod directions;
 mod exact;
 mod faces;
 mod filter;
-mod flat;
 mod integers;
-mod interior;
-mod known;
 mod lanes;
 mod least;
 mod line;
@@ -149,16 +145,16 @@ mod view;
 mod wanted;
 mod whole;
 
-pub use self::answer::{Contact, Features, Part, Translation};
-pub use self::interior::{InteriorEdges, interior_edges};
-pub use self::mesh::Contacts;
 use self::pairs::sealed::Pair;
-pub use self::pairs::{ContactWith, Shape};
-pub use self::points::Point;
 use crate::scalar::Scalar;
 use crate::shape::Triangle;
 #[cfg(doc)]
 use crate::shape::{Aabb, Capsule, Obb, Sphere};
+
+pub use self::answer::{Contact, Features, Part, Translation};
+pub use self::mesh::{Contacts, InteriorEdges, interior_edges};
+pub use self::pairs::{ContactWith, Shape};
+pub use self::points::Point;
 
 /// Returns the minimum translation that moves the first shape out of the second, or `None` if they
 /// are disjoint or touch.

@@ -2,8 +2,7 @@
 //! loop over corners takes three times as many instructions.
 
 use super::body::Vec64;
-use super::faces::{CORNERS, Face};
-use super::known::{Known, next, parts, transposed, within};
+use super::faces::{CORNERS, Face, Known, next, parts, transposed, within};
 use super::view::{Four, View, flat};
 use crate::arithmetic::{Each, Quad, minus3, three, two};
 

@@ -7,7 +7,7 @@ use super::answer::{Features, Part};
 use super::apart::apart;
 use super::body::{Flat, Round, dot};
 use super::depth::{Out, Units, out, rounded};
-use super::interior::InteriorEdges;
+use super::mesh::InteriorEdges;
 use super::nearest::Pair;
 use super::points::{Point, Points};
 use super::scene::{Scene, Way};

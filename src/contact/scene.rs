@@ -2,7 +2,7 @@
 
 use core::cmp::Ordering;
 
-use super::interior::InteriorEdges;
+use super::mesh::InteriorEdges;
 use crate::arithmetic::{
     Arithmetic, Each, Number, compare, cross, dot, greatest, pick, sign, three, turn,
 };

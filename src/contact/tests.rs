@@ -1,28 +1,27 @@
 //! Floats exclude only directions that are not the least, and integers equal the sums. What floats
 //! know has the bits of exact numbers.
 
-extern crate std;
-
 use std::format;
 
-use super::Shape;
 use super::body::{Body, Flat, Rough, Round};
 use super::cut::Cut;
 use super::directions::{Direction, all};
 use super::exact::{Exact, Given, Size, length};
-use super::flat::in_floats;
 use super::integers::{Words, is_whole};
-use super::interior::InteriorEdges;
 use super::least::{Numbers, exact_in_words, least_exact, least_way};
 use super::measures::{Directed, Lengths, Measures, Way};
-use super::round;
+use super::mesh::InteriorEdges;
+use super::pairs::in_floats;
 use super::solid::Solid;
 use super::view::View;
 use super::wanted::Wanted;
 use super::whole::Units;
+use super::{Shape, round};
 use crate::arithmetic::{Each, REGISTERS_ARE_WIDE, greatest, root};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, Obb, Triangle, Vec3};
+
+extern crate std;
 
 /// Numbers from −1 to 1, in steps of 2^-bits.
 struct Draw(u64);

@@ -1,4 +1,4 @@
-use super::each_overlap::each;
+use super::each_exactly::each;
 use super::triangle_axes::{OfOneSize, is_for_first};
 use super::triangles::lane;
 use crate::arithmetic::FirstFloat;

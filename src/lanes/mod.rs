@@ -34,16 +34,13 @@
 mod aabbs;
 mod cells;
 mod each_exactly;
-mod each_overlap;
 mod hits;
 mod rays;
-mod slab_rays;
 mod triangle_axes;
 mod triangles;
 
 pub use aabbs::Aabbs;
 pub use cells::{CellTriangle, Cells};
 pub use hits::{Hits, Ranges};
-pub use rays::Rays;
-pub use slab_rays::SlabRays;
+pub use rays::{Rays, SlabRays};
 pub use triangles::{NormalTriangles, Triangles};

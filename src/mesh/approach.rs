@@ -14,8 +14,7 @@ use core::cmp::Ordering;
 
 use super::descent::{Descend, Met};
 use super::from_origin::{beyond_box, enclosing};
-use super::grid::Grid;
-use super::node::Node;
+use super::node::{Grid, Node};
 use crate::arithmetic::{Each, OfFour, Quad, least, three};
 use crate::scalar::Scalar;
 use crate::shape::Triangle;

@@ -11,19 +11,20 @@
 //! All loops can stop after any triangle: a build is a state that advances.
 
 mod cut;
-mod entry;
+#[cfg(test)]
+mod tests;
 
 use core::ops::Range;
 
 use self::cut::{Cut, sort_by_key};
-use self::entry::Entry;
-pub use self::entry::Scratch;
-use super::grid::Grid;
-use super::node::{Cell, LEAF, Layout, Node};
+use super::node::{Cell, Grid, LEAF, Layout, Node};
 use super::{Index, Mesh, MeshError};
 use crate::arithmetic::three;
 use crate::scalar::Scalar;
 use crate::shape::joined;
+use cut::Entry;
+
+pub use cut::Scratch;
 
 /// The next step of a build.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -322,6 +323,3 @@ pub(super) fn around(
     }
     all
 }
-
-#[cfg(test)]
-mod tests;

@@ -25,8 +25,7 @@
 use core::cmp::Ordering;
 
 use self::sealed::Cast;
-use super::grid::Grid;
-use super::node::{Cell, Node};
+use super::node::{Cell, Grid, Node};
 use crate::arithmetic::{Each, OfFour, Quad, exp2, greatest, least, three};
 use crate::query::{Hit, HitRules};
 use crate::scalar::Scalar;

@@ -50,7 +50,6 @@ mod closed;
 mod descent;
 mod error;
 mod from_origin;
-mod grid;
 mod moving_box;
 #[cfg(feature = "fixed")]
 mod near;

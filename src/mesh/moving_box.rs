@@ -1,8 +1,7 @@
 //! A moving box on its way down a tree.
 
 use super::descent::{Descend, GridRay, Met, along_octant};
-use super::grid::Grid;
-use super::node::{Cell, Node};
+use super::node::{Cell, Grid, Node};
 use super::overlapping::sealed::Bounded;
 use crate::arithmetic::{Each, three};
 use crate::query::{Motion, Sweep};

@@ -2,8 +2,7 @@
 
 use core::ops::Range;
 
-use super::grid::Grid;
-use super::node::{Cell, Node};
+use super::node::{Cell, Grid, Node};
 use super::walk::Walk;
 use super::{Index, Tree};
 use crate::arithmetic::{Each, REGISTERS_ARE_WIDE};

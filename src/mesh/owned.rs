@@ -2,8 +2,7 @@ use alloc::vec;
 use alloc::vec::Vec;
 
 use super::build::{Build, Memory};
-use super::grid::Grid;
-use super::node::Layout;
+use super::node::{Grid, Layout};
 use super::{Index, Mesh, MeshError, Node, Scratch, Tree};
 use crate::scalar::Scalar;
 use crate::shape::Vec3;

@@ -1,6 +1,5 @@
 use super::build::{Build, Leaves, Memory, around, fill, layout, layout_in_order};
-use super::grid::Grid;
-use super::node::{Layout, Node};
+use super::node::{Grid, Layout, Node};
 use super::{Index, Mesh, MeshError, Scratch};
 use crate::scalar::Scalar;
 

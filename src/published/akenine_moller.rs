@@ -5,7 +5,7 @@
 //! 2001. Written from the paper. Other tests measure their speed against it, and it shows what
 //! rounding does.
 
-use super::vector::rounded;
+use super::rounded;
 use crate::arithmetic::{Each, Number, Rounded, cross3, dot3, greatest, least, minus3};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Obb, Triangle, Vec3};

@@ -5,8 +5,8 @@
 //! outcodes of D. Voorhies, "Triangle-Cube Intersection", *Graphics Gems III*, 1992. Written from
 //! the descriptions. Akenine-Möller's paper of 2001 compares itself with this test.
 
+use super::Triple;
 use super::separating_axes::{center_half, row, segment_misses};
-use super::vector::Triple;
 use crate::arithmetic::{Each, Number, Rounded, cross3, dot3, minus3, turn};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, Polygon};

@@ -37,7 +37,6 @@
 //! | [`watertight`] | ray, triangle | eight triangles at once, without leaks; one by one the exact [`Ray::hit`](crate::Ray::hit) is faster |
 
 pub mod akenine_moller;
-mod degenerate_view;
 pub mod green_hatch;
 pub mod moller_trumbore;
 pub mod projected;
@@ -47,9 +46,31 @@ pub mod shared_normal;
 pub mod slabs;
 pub mod slopes;
 pub mod stored_normal;
-mod vector;
 pub mod volumes;
 pub mod watertight;
 
+use crate::arithmetic::Rounded;
+use crate::scalar::Scalar;
+use crate::shape::Ray;
+
 pub(crate) use resolve::{Limits, resolve};
-pub(crate) use vector::{Triple, line, rounded};
+
+/// A vector in the scalar's own arithmetic.
+pub(crate) type Triple<S> = [Rounded<S>; 3];
+
+#[inline(always)]
+pub(crate) fn rounded<S>([x, y, z]: [S; 3]) -> Triple<S> {
+    [Rounded(x), Rounded(y), Rounded(z)]
+}
+
+/// The origin and the direction of a ray.
+#[inline(always)]
+pub(crate) fn line<S: Scalar>(ray: &Ray<S>) -> (Triple<S>, Triple<S>) {
+    (rounded(ray.origin().to_array()), rounded(ray.direction().to_array()))
+}
+
+/// Component `i` of three, by its address, because a branch on the index would be unpredictable.
+#[inline(always)]
+fn by_index<T>(x: &[T; 3], i: u8) -> &T {
+    &x[if i < 3 { usize::from(i) } else { 0 }]
+}

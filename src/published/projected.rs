@@ -2,7 +2,7 @@
 
 use super::resolve::{Limits, none_below_zero};
 use super::stored_normal::store;
-use super::vector::{by_index, line, rounded};
+use super::{by_index, line, rounded};
 use crate::arithmetic::{Number, Rounded, dot3, minus3, pick, turn};
 use crate::query::{Candidate, Cull, Hit};
 use crate::scalar::Scalar;

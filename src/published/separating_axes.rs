@@ -6,7 +6,7 @@
 //! cross products with the absolute value of w. Against zeros in w, the book adds a small number.
 //! The comparisons here are right without it.
 
-use super::vector::Triple;
+use super::Triple;
 use crate::arithmetic::{Number, Rounded, minus3};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Ray, Segment, SegmentForm, Vec3};

@@ -1,7 +1,7 @@
 //! Ray and triangle by the stored normal.
 
 use super::resolve::{Fractions, Limits, resolve};
-use super::vector::{Triple, line, rounded};
+use super::{Triple, line, rounded};
 use crate::arithmetic::{Each, Number, Rounded, cross3, dot3, minus3};
 use crate::query::{Cull, Hit};
 use crate::scalar::Scalar;

@@ -37,7 +37,6 @@ mod line;
 mod pass;
 mod place;
 mod placed;
-mod plane;
 mod rows;
 mod sets;
 mod sign;

@@ -16,8 +16,7 @@ use core::cmp::Ordering;
 
 use super::grid::Grid;
 use super::place::{AxisMarks, Level, Marks, Place, Span};
-use super::placed::{Bounds, Near, Placed};
-use super::plane::Plane;
+use super::placed::{Bounds, Near, Placed, Plane};
 use super::slabs::{BLOCK, span, spans};
 use crate::arithmetic::{Each, three};
 use crate::scalar::Scalar;

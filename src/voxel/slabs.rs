@@ -7,7 +7,7 @@
 //!
 //! # Error bound
 //!
-//! Lengths are in cells; u and η as in `plane`, and e = 4η. An edge from (u₀, v₀) to (u₁, v₁)
+//! Lengths are in cells; u and η as in `Plane`, and e = 4η. An edge from (u₀, v₀) to (u₁, v₁)
 //! with dv = v₁ − v₀ ≥ 8e, as computed, crosses the line v = q at U, and
 //! û = u₀ + (q − v₀)·ŝ with ŝ = du/dv.
 //!

@@ -1,8 +1,7 @@
 use super::bits::{Bits, TooFewWords};
 use super::grid::Grid;
 use super::place::{Marks, Place};
-use super::placed::{Near, Placed};
-use super::plane::Plane;
+use super::placed::{Near, Placed, Plane};
 use super::slabs::{Edge, rising};
 use super::word::Word;
 use crate::arithmetic::{Each, three};

@@ -3,17 +3,16 @@
 mod moving;
 mod overlapping;
 
-pub(super) use moving::is_before;
-pub use overlapping::BoxProbe;
-
 use crate::mesh::build::{Build, Leaves, Memory, fill, layout_in_order};
-use crate::mesh::grid::Grid;
-use crate::mesh::node::{Layout, Node};
+use crate::mesh::node::{Grid, Layout, Node};
 use crate::mesh::overlapping::sealed::Bounded;
 use crate::mesh::tree::is_permutation;
 use crate::mesh::{Index, MeshError};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, joined};
+
+pub(super) use moving::is_before;
+pub use overlapping::BoxProbe;
 
 /// Boxes and a bounding-volume hierarchy (BVH) over them: see [`broad_phase`](crate::broad_phase).
 ///

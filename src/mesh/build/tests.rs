@@ -1,16 +1,16 @@
 //! A built tree beside the plain description of it, by sorting.
 
-extern crate std;
-
 use std::vec;
 use std::vec::Vec;
 
 use super::super::{Tree, TreeBuilder};
-use super::entry::middle;
+use super::cut::middle;
 use super::*;
 use crate::arithmetic::Each;
 use crate::random::Random;
 use crate::shape::Vec3;
+
+extern crate std;
 
 /// The order of the triangles: each node sorts its part along the axis of greatest spread, and
 /// each half again.
