@@ -4,9 +4,6 @@
 //! end of its type that a remainder can be doubled.
 //! Quotients in `f64` become integers if it is certain to which integer they round.
 
-#[cfg(test)]
-mod tests;
-
 use core::cmp::Ordering;
 use core::num::NonZero;
 use core::ops::{Add, Mul, Sub};
@@ -282,3 +279,6 @@ where
     let size = magnitude(quotient);
     [sum, magnitude(quotient - (sum - whole)) + (size * relative + absolute), size]
 }
+
+#[cfg(test)]
+mod tests;

@@ -5,9 +5,6 @@
 //! ([`portion`](super::portion)), and to compute the lengths, quotients and roots of a least
 //! translation.
 
-#[cfg(test)]
-mod tests;
-
 use super::double::Double;
 use super::float::exp2;
 use super::integer::full_product;
@@ -334,3 +331,6 @@ pub(crate) fn whole(m: u128, exponent: i32, is_up: bool) -> u128 {
     // No overflow: all callers pass an m far below the greatest number.
     m.saturating_add(add) >> down
 }
+
+#[cfg(test)]
+mod tests;

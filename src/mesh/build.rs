@@ -11,8 +11,6 @@
 //! All loops can stop after any triangle: a build is a state that advances.
 
 mod cut;
-#[cfg(test)]
-mod tests;
 
 use core::ops::Range;
 
@@ -323,3 +321,6 @@ pub(super) fn around(
     }
     all
 }
+
+#[cfg(test)]
+mod tests;

@@ -4,12 +4,9 @@
 //! Only the first stage is inlined, so that the common path stays small. Unit tests count how often
 //! a cascade escalates.
 
-use super::{Clue, Numeric, Predicate};
+use super::predicate::{Clue, Numeric, Predicate};
 use crate::arithmetic::{Embeds, Filtered, Float, InFloat, REGISTERS_ARE_WIDE};
 use crate::scalar::Backend;
-
-#[cfg(all(test, feature = "fixed"))]
-pub(crate) use counter::escalations;
 
 /// The first stage for questions whose answer is a number.
 #[inline(always)]
@@ -160,3 +157,6 @@ mod counter {
         COUNTS.get()
     }
 }
+
+#[cfg(all(test, feature = "fixed"))]
+pub(crate) use counter::escalations;
