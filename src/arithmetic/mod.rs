@@ -10,7 +10,6 @@ mod filtered;
 mod fixed;
 mod float;
 mod full;
-mod in_float;
 mod index;
 mod integer;
 mod interval;
@@ -45,14 +44,11 @@ pub(crate) use enclosed::{compare_products, order_of_products, sign_of, sum_of};
 pub(crate) use ends::{enclosed, lost_in_row};
 pub use filtered::Filtered;
 pub use float::Float;
-pub(crate) use float::{cut, exp2, exponent, quotient};
+pub(crate) use float::{FirstFloat, InFloat, cut, exp2, exponent, quotient, three_in_float};
 pub use full::{FullF32, FullF64};
-pub(crate) use in_float::{FirstFloat, InFloat, three_in_float};
 pub(crate) use index::{Each, cross3, dot3, minus3, pick, three, turn, two};
 #[cfg(feature = "fixed")]
-pub(crate) use integer::Int64;
-#[cfg(feature = "fixed")]
-pub(crate) use integer::{Int8, Int32, IntNear};
+pub(crate) use integer::{Int8, Int32, Int64, IntNear};
 pub(crate) use integer::{Int16, Int64Narrow, Int64OfFloats, of_four};
 pub use interval::Interval;
 #[cfg(feature = "fixed")]
@@ -80,8 +76,6 @@ pub(crate) use wide::I256;
 #[cfg(feature = "fixed")]
 pub use window::ShortWindow;
 pub use window::Window;
-#[cfg(test)]
-pub(crate) use words::SplitSum;
 pub use words::{InRaw, InWholeWord, InWord, ProductSum, Raw, WholeVolume, WholeWord, Word};
 pub(crate) use words::{
     cross_words, dot_words, first_sign, out_of_line, out_of_line_if_wide, part,
@@ -89,3 +83,5 @@ pub(crate) use words::{
 
 #[cfg(test)]
 pub(crate) use float::tests::two_to;
+#[cfg(test)]
+pub(crate) use words::SplitSum;

@@ -32,15 +32,13 @@
 //! Nothing here panics.
 
 mod aabbs;
-mod cells;
 mod each_exactly;
 mod hits;
 mod rays;
 mod triangle_axes;
 mod triangles;
 
-pub use aabbs::Aabbs;
-pub use cells::{CellTriangle, Cells};
+pub use aabbs::{Aabbs, CellTriangle, Cells};
 pub use hits::{Hits, Ranges};
 pub use rays::{Rays, SlabRays};
 pub use triangles::{NormalTriangles, Triangles};

@@ -1,10 +1,6 @@
 //! The signed types of the `fixed` crate of up to 64 bits, at full range.
 
-use fixed::types::extra::{LeEqU8, LeEqU16, LeEqU32, LeEqU64};
-use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
-
-use super::backend::FixedBackend;
-use super::{Backend, Scalar};
+use super::{Backend, FixedBackend, Scalar};
 use crate::arithmetic::{
     Embeds, Filtered, InRaw, InWholeWord, Int8, Int16, Int32, Int64, OfFour, Parts, Quad,
     REGISTERS_ARE_WIDE, RoundedOps, SMALL_CODE, ShortFloat, ShortWindow, Soft, WholeWord, Window,
@@ -13,6 +9,8 @@ use crate::robust::{
     Numeric, Predicate, Stage, Sum, WordKernel, exact_stage, in_quads, integer_stage, note,
     numeric_stage, only_stage, stage,
 };
+use fixed::types::extra::{LeEqU8, LeEqU16, LeEqU32, LeEqU64};
+use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
 
 macro_rules! scalar {
     ($fixed:ident, $bound:ident, $window:ty, $limbs:literal, $float:ident,

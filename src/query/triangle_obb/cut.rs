@@ -28,7 +28,7 @@ use core::cmp::Ordering;
 use core::marker::PhantomData;
 
 use super::exact::{ExactParallelepiped, InWords, Signs, Term};
-use super::known::{cross, product, size};
+use super::prepared::{cross, product, size};
 use crate::arithmetic::{ProductSum, WholeWord, Word, pick, turn};
 use crate::query::relation::Reading;
 

@@ -12,29 +12,30 @@ mod cut;
 mod error_bound;
 mod exact;
 mod kernel;
-mod known;
 mod prepared;
 mod relation;
 mod short;
 
-pub(super) use self::error_bound::error_bound;
-use self::exact::InWords;
-use self::exact::{ExactParallelepiped, InSums};
+use self::exact::{ExactParallelepiped, InSums, InWords};
 use self::kernel::{Parallelepiped, all_axes};
-pub(super) use self::kernel::{lie_along_one_axis, operands, way};
-pub(super) use self::known::{Known, Size, raw, size};
-pub use self::prepared::PreparedObb;
 use self::short::Change;
-pub(super) use self::short::{EXACT, are_disjoint};
 use super::Overlaps;
 use super::relation::Reading;
-use crate::arithmetic::{Arithmetic, Each, Embeds, Number, SMALL_CODE, greatest, largest};
-use crate::arithmetic::{InRaw, InWholeWord, InWord, WholeWord};
+use crate::arithmetic::{
+    Arithmetic, Each, Embeds, InRaw, InWholeWord, InWord, Number, SMALL_CODE, WholeWord, greatest,
+    largest,
+};
 use crate::robust::{Predicate, Profile, Uncertain, WordKernel, noted};
 use crate::scalar::{FixedBackend, Scalar};
 #[cfg(feature = "fixed")]
 use crate::shape::Near;
 use crate::shape::{Obb, Triangle};
+
+pub(super) use self::error_bound::error_bound;
+pub(super) use self::kernel::{lie_along_one_axis, operands, way};
+pub use self::prepared::PreparedObb;
+pub(super) use self::short::{EXACT, are_disjoint};
+pub(super) use prepared::{Known, Size, raw, size};
 
 /// Are the triangle and the oriented box disjoint?
 struct Disjoint<'a, S> {

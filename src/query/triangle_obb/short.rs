@@ -46,8 +46,7 @@
 //! below 2^8, so the kernel's lengths are below 2^18.
 
 use super::Disjoint;
-use super::known::{AXIS, Known, cut_axes};
-use super::known::{Sum, product, raw, size};
+use super::prepared::{AXIS, Known, Sum, cut_axes, product, raw, size};
 use crate::arithmetic::{InRaw, ProductSum, Raw, Word, greatest};
 use crate::query::one_sided::{Projection, one_sided};
 use crate::scalar::Scalar;
