@@ -2,6 +2,7 @@
 
 use micromath::F32Ext;
 
+use crate::arithmetic::{cross3, dot3, minus3};
 use crate::shape::{Triangle, Vec3};
 
 impl Triangle<f32> {
@@ -35,11 +36,9 @@ impl Triangle<f32> {
     #[inline]
     #[must_use]
     pub fn unit_normal_fast(&self) -> Option<Vec3<f32>> {
-        let [a, b, c] = self.vertices();
-        let e = [b.x - a.x, b.y - a.y, b.z - a.z];
-        let f = [c.x - a.x, c.y - a.y, c.z - a.z];
-        let n = [e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2], e[0] * f[1] - e[1] * f[0]];
-        let square = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
+        let [a, b, c] = self.points();
+        let n = cross3(&minus3(&b, &a), &minus3(&c, &a));
+        let square = dot3(&n, &n);
         if !(f32::MIN_POSITIVE..f32::INFINITY).contains(&square) {
             return None;
         }

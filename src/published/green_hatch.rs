@@ -5,8 +5,8 @@
 //! outcodes of D. Voorhies, "Triangle-Cube Intersection", *Graphics Gems III*, 1992. Written from
 //! the descriptions. Akenine-Möller's paper of 2001 compares itself with this test.
 
-use super::Triple;
-use super::separating_axes::{center_half, row, segment_misses};
+use super::separating_axes::{center_half, segment_misses};
+use super::{Triple, rounded};
 use crate::arithmetic::{Each, Number, Rounded, cross3, dot3, minus3, turn};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, Polygon};
@@ -32,7 +32,7 @@ use crate::shape::{Aabb, Polygon};
 pub fn overlaps<S: Scalar>(polygon: &Polygon<'_, S>, aabb: &Aabb<S>) -> bool {
     let (center, h) = center_half(aabb);
     let vertices = polygon.vertices();
-    let vertex = |k: usize| minus3(&row(&vertices[k]), &center);
+    let vertex = |k: usize| minus3(&rounded(vertices[k].to_array()), &center);
 
     let (mut faces, mut bevels) = (!0, !0);
     for k in 0..vertices.len() {

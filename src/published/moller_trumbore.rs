@@ -1,7 +1,6 @@
 //! Ray and triangle by the determinants of Möller and Trumbore.
 
-use super::resolve::{Fractions, Limits, resolve};
-use super::{Triple, line, rounded};
+use super::{Fractions, Limits, Triple, line, resolve, rounded};
 use crate::arithmetic::{cross3, dot3, minus3};
 use crate::query::{Cull, Hit};
 use crate::scalar::Scalar;

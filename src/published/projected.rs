@@ -1,8 +1,7 @@
 //! Ray and triangle by the plane, and then in two dimensions.
 
-use super::resolve::{Limits, none_below_zero};
 use super::stored_normal::store;
-use super::{by_index, line, rounded};
+use super::{Limits, by_index, line, none_below_zero, rounded};
 use crate::arithmetic::{Number, Rounded, dot3, minus3, pick, turn};
 use crate::query::{Candidate, Cull, Hit};
 use crate::scalar::Scalar;

@@ -6,10 +6,10 @@
 //! cross products with the absolute value of w. Against zeros in w, the book adds a small number.
 //! The comparisons here are right without it.
 
-use super::Triple;
+use super::{Triple, line, rounded};
 use crate::arithmetic::{Number, Rounded, minus3};
 use crate::scalar::Scalar;
-use crate::shape::{Aabb, AabbForm, Ray, Segment, SegmentForm, Vec3};
+use crate::shape::{Aabb, AabbForm, Ray, Segment, SegmentForm};
 
 /// Does the segment overlap the box, by the test of *Real-Time Rendering*? In the scalar's own
 /// arithmetic, and sometimes wrong.
@@ -25,8 +25,10 @@ use crate::shape::{Aabb, AabbForm, Ray, Segment, SegmentForm, Vec3};
 #[inline]
 pub fn segment_overlaps<S: Scalar>(segment: &Segment<S>, aabb: &Aabb<S>) -> bool {
     let (c, w) = match segment.form() {
-        SegmentForm::Center { center, half } => (row(center), row(half)),
-        SegmentForm::Ends(a, b) => between(row(a), row(b)),
+        SegmentForm::Center { center, half } => {
+            (rounded(center.to_array()), rounded(half.to_array()))
+        }
+        SegmentForm::Ends(a, b) => between(rounded(a.to_array()), rounded(b.to_array())),
     };
     centered_overlaps(c, w, aabb)
 }
@@ -45,7 +47,7 @@ pub fn segment_overlaps<S: Scalar>(segment: &Segment<S>, aabb: &Aabb<S>) -> bool
 /// *Source*: *Real-Time Rendering* 16.7, without its epsilon.
 #[inline]
 pub fn ray_overlaps<S: Scalar>(ray: &Ray<S>, aabb: &Aabb<S>) -> bool {
-    let (o, d) = (row(&ray.origin()), row(&ray.direction()));
+    let (o, d) = line(ray);
     let at = |t: S| {
         let t = Rounded(t);
         [o[0] + d[0] * t, o[1] + d[1] * t, o[2] + d[2] * t]
@@ -107,14 +109,9 @@ fn between<S: Scalar>(a: Triple<S>, b: Triple<S>) -> (Triple<S>, Triple<S>) {
 #[inline(always)]
 pub(super) fn center_half<S: Scalar>(aabb: &Aabb<S>) -> (Triple<S>, Triple<S>) {
     match aabb.form() {
-        AabbForm::Center { center, half } => (row(center), row(half)),
-        AabbForm::Corners { min, max } => between(row(min), row(max)),
+        AabbForm::Center { center, half } => (rounded(center.to_array()), rounded(half.to_array())),
+        AabbForm::Corners { min, max } => between(rounded(min.to_array()), rounded(max.to_array())),
     }
-}
-
-#[inline(always)]
-pub(super) fn row<S: Scalar>(v: &Vec3<S>) -> Triple<S> {
-    [Rounded(v.x), Rounded(v.y), Rounded(v.z)]
 }
 
 #[inline(always)]

@@ -1,8 +1,7 @@
 //! Ray and triangle by signed volumes.
 
-use super::line;
-use super::resolve::{Limits, resolve};
 use super::stored_normal::{store, stored_normal};
+use super::{Limits, line, resolve};
 use crate::query::{Cull, Hit};
 use crate::scalar::Scalar;
 use crate::shape::{Ray, Triangle};

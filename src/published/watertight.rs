@@ -2,8 +2,7 @@
 
 use core::cmp::Ordering;
 
-use super::resolve::Limits;
-use super::{Triple, by_index, rounded};
+use super::{Limits, Triple, by_index, rounded};
 use crate::arithmetic::{Each, Number, Rounded, dot3, minus3, pick, turn};
 use crate::query::{Candidate, Cull, Hit};
 use crate::robust::ExactSum;
