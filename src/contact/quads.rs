@@ -72,9 +72,7 @@ impl Quads {
             if within.1 == ALL { (0, [[0.0; CORNERS]; 3]) } else { points(view, from, &to) };
         Self { sides, crossing, clear, within, last, met, points }
     }
-}
 
-impl Quads {
     /// Whether the other face is certainly around this one: none of its corners meets a point of this face, and
     /// no edges cross.
     ///

@@ -91,9 +91,7 @@ impl<S: Scalar, const N: usize> Aabbs<S, N> {
     pub(super) fn at(&self, k: usize) -> Aabb<S> {
         Aabb::between(lane(&self.min, k).into(), lane(&self.max, k).into())
     }
-}
 
-impl<S: Scalar, const N: usize> Aabbs<S, N> {
     /// The rounded entry and exit of a prepared ray on each of N boxes:
     /// [`SlabRay::t_range_rounded`] at once.
     ///

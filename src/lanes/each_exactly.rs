@@ -35,7 +35,7 @@ impl<S: Scalar, const N: usize> Numeric<S> for CrossesEach<'_, S, N> {
         Filtered<f64>: Embeds<S>,
     {
         let is_plain = self.ray.t_min() == Some(S::ZERO) && self.ray.t_max().is_none();
-        let (hits, certain) = if is_plain {
+        let (mut hits, certain) = if is_plain {
             self.each(|triangle| clear_hit(self.ray, triangle))
         } else {
             let misses = |triangle| line_clearly_misses(self.ray, triangle);
@@ -44,7 +44,8 @@ impl<S: Scalar, const N: usize> Numeric<S> for CrossesEach<'_, S, N> {
         if is_plain && !<Filtered<f64> as Embeds<S>>::HAS_QUOTIENTS && certain != [true; N] {
             return Err(Clue::NoNumbers);
         }
-        Ok(Some(self.completed(hits, certain)))
+        settle(&certain, |k| hits.set(k, self.one(k)));
+        Ok(Some(hits))
     }
 
     /// All triangles at once, for scalars whose first stage gives no numbers.
@@ -55,8 +56,9 @@ impl<S: Scalar, const N: usize> Numeric<S> for CrossesEach<'_, S, N> {
         if clue != Clue::NoNumbers {
             return None;
         }
-        let (hits, certain) = self.each(|triangle| clear_refined_hit(self.ray, triangle));
-        Some(Some(self.completed(hits, certain)))
+        let (mut hits, certain) = self.each(|triangle| clear_refined_hit(self.ray, triangle));
+        settle(&certain, |k| hits.set(k, self.one(k)));
+        Some(Some(hits))
     }
 }
 
@@ -106,23 +108,6 @@ impl<S: Scalar, const N: usize> CrossesEach<'_, S, N> {
         (hits, certain)
     }
 
-    /// Decides the uncertain triangles one by one.
-    #[inline(always)]
-    fn completed(&self, mut hits: Hits<S, N>, certain: [bool; N]) -> Hits<S, N> {
-        let mut all = true;
-        for k in 0..N {
-            all &= certain[k];
-        }
-        if !all {
-            for k in 0..N {
-                if !certain[k] {
-                    hits.set(k, self.one(k));
-                }
-            }
-        }
-        hits
-    }
-
     fn one(&self, k: usize) -> Candidate<S> {
         let hit = self.triangles.get(k).and_then(|triangle| self.ray.hit(&triangle));
         hit.map_or(Candidate::none(), Candidate::from_hit)
@@ -158,23 +143,30 @@ pub(super) fn each<S: Scalar, const N: usize>(
     if !S::IN_QUADS {
         return core::array::from_fn(overlaps);
     }
-    let (mut found, mut certain, mut all) = ([false; N], [false; N], true);
+    let (mut found, mut certain) = ([false; N], [false; N]);
     for k in 0..N {
         let (is_apart, is_certain) = apart(k);
         found[k] = !is_apart;
         certain[k] = is_certain;
     }
+    settle(&certain, |k| found[k] = overlaps(k));
+    found
+}
+
+/// Decides the uncertain lanes one by one.
+#[inline(always)]
+fn settle<const N: usize>(certain: &[bool; N], mut decide: impl FnMut(usize)) {
+    let mut all = true;
     for is_certain in certain {
         all &= is_certain;
     }
     if !all {
         for k in 0..N {
             if !certain[k] {
-                found[k] = overlaps(k);
+                decide(k);
             }
         }
     }
-    found
 }
 
 impl<S: Scalar, const N: usize> Aabbs<S, N> {

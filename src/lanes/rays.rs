@@ -107,9 +107,7 @@ impl<S: Scalar, const N: usize> Rays<S, N> {
             back: all.1,
         }
     }
-}
 
-impl<S: Scalar, const N: usize> Rays<S, N> {
     /// [`moller_trumbore::hit`](crate::published::moller_trumbore::hit) for N rays at once: the
     /// same verdicts, the same bits.
     ///

@@ -60,16 +60,7 @@ impl<S: Scalar, const N: usize> Triangles<S, N> {
     #[inline]
     #[must_use]
     pub fn set(&mut self, k: usize, triangle: &Triangle<S>) -> bool {
-        if k >= N {
-            return false;
-        }
-        let points = triangle.points();
-        for v in 0..3 {
-            for i in 0..3 {
-                self.points[v][i][k] = points[v][i];
-            }
-        }
-        true
+        put(&mut self.points, k, &triangle.points())
     }
 
     /// The triangle in lane `k`, or `None` if `k` is not below N.
@@ -118,6 +109,24 @@ pub(super) fn lane<S: Copy, const N: usize>([x, y, z]: &[[S; N]; 3], k: usize) -
     [x[k], y[k], z[k]]
 }
 
+/// Puts vectors into lane `k`. Returns `false`, and changes nothing, if `k` is not below N.
+#[inline(always)]
+fn put<S: Copy, const N: usize, const V: usize>(
+    lanes: &mut [[[S; N]; 3]; V],
+    k: usize,
+    vectors: &[[S; 3]; V],
+) -> bool {
+    if k >= N {
+        return false;
+    }
+    for v in 0..V {
+        for i in 0..3 {
+            lanes[v][i][k] = vectors[v][i];
+        }
+    }
+    true
+}
+
 /// N triangles with their normals, for one ray, with an array for each coordinate.
 ///
 /// They are faster than [`Triangles`] if they are queried often and stay in the
@@ -145,15 +154,7 @@ impl<S: Scalar, const N: usize> NormalTriangles<S, N> {
     #[inline]
     #[must_use]
     pub fn set(&mut self, k: usize, triangle: &NormalTriangle<S>) -> bool {
-        if k >= N {
-            return false;
-        }
-        for v in 0..4 {
-            for i in 0..3 {
-                self.stored[v][i][k] = triangle.stored[v][i];
-            }
-        }
-        true
+        put(&mut self.stored, k, &triangle.stored)
     }
 
     /// The triangle in lane `k`, or `None` if `k` is not below N.
@@ -172,6 +173,18 @@ impl<S: Scalar, const N: usize> NormalTriangles<S, N> {
     #[inline(always)]
     pub(super) fn at(&self, k: usize) -> Stored<S> {
         self.lane(k).each(rounded)
+    }
+
+    /// [`stored_normal::hit`](crate::published::stored_normal::hit) on each of N triangles
+    /// at once: the same verdicts, the same bits.
+    ///
+    /// *Panics*: never. *Cost*: for each vector of triangles, as for one triangle.
+    #[inline]
+    #[must_use]
+    pub fn hit(&self, ray: &Ray<S>, cull: Cull) -> Hits<S, N> {
+        let limits = Limits::new(ray, cull);
+        let line = line(ray);
+        Hits::each(|k| resolve(stored_normal(line, self.at(k)), &limits))
     }
 }
 
@@ -199,23 +212,7 @@ impl<S: Scalar, const N: usize> Triangles<S, N> {
         let line = line(ray);
         Hits::each(|k| resolve(stored_normal(line, store(self.at(k))), &limits))
     }
-}
 
-impl<S: Scalar, const N: usize> NormalTriangles<S, N> {
-    /// [`stored_normal::hit`](crate::published::stored_normal::hit) on each of N triangles
-    /// at once: the same verdicts, the same bits.
-    ///
-    /// *Panics*: never. *Cost*: for each vector of triangles, as for one triangle.
-    #[inline]
-    #[must_use]
-    pub fn hit(&self, ray: &Ray<S>, cull: Cull) -> Hits<S, N> {
-        let limits = Limits::new(ray, cull);
-        let line = line(ray);
-        Hits::each(|k| resolve(stored_normal(line, self.at(k)), &limits))
-    }
-}
-
-impl<S: Scalar, const N: usize> Triangles<S, N> {
     /// [`ShearedRay::hit`] on each of N triangles at once: the same verdicts, the same
     /// bits.
     ///

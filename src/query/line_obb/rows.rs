@@ -90,9 +90,7 @@ impl<F: Float> Operands<F> {
         let any = |bits: u32| bits & THREE != 0;
         Uncertain { certain: any(so_far.certain), possible: any(so_far.possible) }.verdict()
     }
-}
 
-impl<F: Float> Operands<F> {
     /// The answer if the direction may be nearly parallel to an axis.
     #[cold]
     #[inline(never)]

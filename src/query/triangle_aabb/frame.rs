@@ -89,9 +89,7 @@ impl<N: Arithmetic> Frame<N> {
             spans,
         }
     }
-}
 
-impl<N: Arithmetic> Frame<N> {
     /// An upper bound of every coordinate in the frame if there is no gap, and of every edge and
     /// half-extent.
     #[inline(always)]
