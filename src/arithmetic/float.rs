@@ -40,12 +40,12 @@ pub trait Float: Number + OfFour + Mul<Output = Self> + From<u16> + Into<f64> + 
     fn scaled(magnitude: u64, exponent: i32) -> Self;
 }
 
-macro_rules! number {
-    ($float:ty) => {
+macro_rules! float {
+    ($float:ident: $digits:literal, $range:expr, $shifter:expr) => {
         impl Number for $float {
             const ZERO: Self = 0.0;
             /// The least normal number, which exceeds the loss of a few underflows.
-            const UNDERFLOW: Self = <$float>::MIN_POSITIVE;
+            const UNDERFLOW: Self = $float::MIN_POSITIVE;
 
             #[inline(always)]
             fn magnitude(self) -> Self {
@@ -80,79 +80,58 @@ macro_rules! number {
                 enclosing(self.into(), den.into(), [error.into(), other.into()])
             }
         }
+
+        impl Float for $float {
+            const HALF: Self = 0.5;
+            const ROUNDOFF: Self = Self::EPSILON / 2.0;
+            const RANGE: (Self, Self) = $range;
+            const GRID_SHIFTER: Self = $shifter as Self;
+
+            #[inline(always)]
+            fn power_of_two_below(self) -> Self {
+                Self::from_bits(self.to_bits() & Self::INFINITY.to_bits())
+            }
+
+            fn parts(self) -> Parts {
+                let bits = self.to_bits();
+                let exponent = (bits & Self::INFINITY.to_bits()) >> $digits;
+                let hidden = if exponent == 0 { 0 } else { 1 << $digits };
+                Parts {
+                    negative: self.is_sign_negative(),
+                    magnitude: (hidden | bits & ((1 << $digits) - 1)).into(),
+                    shift: exponent.saturating_sub(1) as u16,
+                }
+            }
+
+            fn scaled(magnitude: u64, exponent: i32) -> Self {
+                scaled(magnitude, exponent) as Self
+            }
+        }
     };
 }
-number!(f32);
-number!(f64);
 
-// f32: an underflow loses at most 2^-150 in each operation. Beyond the roundings, the bounds have
-// 1·u·r² (areas) and 4·u·r³ (volumes) to spare (query::triangle_aabb::error_bound), against about
-// 10 and 12·r + 6 underflows. That suffices from r = 2^-40 on. Above, r³·24 stays below 2^128 up to
-// r = 2^41.
-impl Float for f32 {
-    const HALF: f32 = 0.5;
-    const ROUNDOFF: f32 = f32::EPSILON / 2.0;
-    const RANGE: (f32, f32) = (f32::from_bits((127 - 32) << 23), f32::from_bits((127 + 40) << 23));
+// An underflow loses at most 2^-150 in each operation. Beyond the roundings, the bounds have 1·u·r²
+// (areas) and 4·u·r³ (volumes) to spare (query::triangle_aabb::error_bound), against about 10 and
+// 12·r + 6 underflows. That suffices from r = 2^-40 on. Above, r³·24 stays below 2^128 up to r = 2^41.
+float!(f32: 23, (f32::from_bits((127 - 32) << 23), f32::from_bits((127 + 40) << 23)), 3 << 22 >> 4);
+// Likewise 2^-53·r² and 4·2^-53·r³ against 2^-1075, and r³·24 below 2^1024. A nonzero number that was
+// an f32 is always in the range.
+float!(
+    f64: 52,
+    (f64::from_bits((1023 - 320) << 52), f64::from_bits((1023 + 320) << 52)),
+    3_u64 << 51 >> 14
+);
 
-    const GRID_SHIFTER: f32 = (3 << 22 >> 4) as f32;
-
-    #[inline(always)]
-    fn power_of_two_below(self) -> f32 {
-        f32::from_bits(self.to_bits() & f32::INFINITY.to_bits())
+/// m·2^e to the nearest; tiny results are rounded twice.
+fn scaled(magnitude: u64, exponent: i32) -> f64 {
+    let mut x = magnitude as f64;
+    let mut left = exponent.clamp(-2400, 2400);
+    while left != 0 {
+        let step = left.clamp(-1000, 1000);
+        x *= exp2(step);
+        left -= step;
     }
-
-    fn parts(self) -> Parts {
-        let bits = self.to_bits();
-        let (exponent, fraction) = ((bits >> 23) & 0xff, bits & 0x7f_ffff);
-        let hidden = if exponent == 0 { 0 } else { 1 << 23 };
-        Parts {
-            negative: bits >> 31 != 0,
-            magnitude: (hidden | fraction) as u64,
-            shift: exponent.saturating_sub(1) as u16,
-        }
-    }
-
-    fn scaled(magnitude: u64, exponent: i32) -> f32 {
-        f64::scaled(magnitude, exponent) as f32
-    }
-}
-
-// f64: likewise 2^-53·r² and 4·2^-53·r³ against 2^-1075, and r³·24 below 2^1024. A nonzero number
-// that was an f32 is always in the range.
-impl Float for f64 {
-    const HALF: f64 = 0.5;
-    const ROUNDOFF: f64 = f64::EPSILON / 2.0;
-    const RANGE: (f64, f64) =
-        (f64::from_bits((1023 - 320) << 52), f64::from_bits((1023 + 320) << 52));
-
-    const GRID_SHIFTER: f64 = (3_u64 << 51 >> 14) as f64;
-
-    #[inline(always)]
-    fn power_of_two_below(self) -> f64 {
-        f64::from_bits(self.to_bits() & f64::INFINITY.to_bits())
-    }
-
-    fn parts(self) -> Parts {
-        let bits = self.to_bits();
-        let (exponent, fraction) = ((bits >> 52) & 0x7ff, bits & 0xf_ffff_ffff_ffff);
-        let hidden = if exponent == 0 { 0 } else { 1 << 52 };
-        Parts {
-            negative: bits >> 63 != 0,
-            magnitude: hidden | fraction,
-            shift: exponent.saturating_sub(1) as u16,
-        }
-    }
-
-    fn scaled(magnitude: u64, exponent: i32) -> f64 {
-        let mut x = magnitude as f64;
-        let mut left = exponent.clamp(-2400, 2400);
-        while left != 0 {
-            let step = left.clamp(-1000, 1000);
-            x *= exp2(step);
-            left -= step;
-        }
-        x
-    }
+    x
 }
 
 /// The size of x in multiples of 2^(`unit` − 1023), rounded down, if it is below 2^31.

@@ -94,10 +94,6 @@ impl ProductSum<i16> for i32 {
         (self >> i16::BITS) as i16
     }
     #[inline(always)]
-    fn scaled(self) -> i16 {
-        self.scaled_by(0)
-    }
-    #[inline(always)]
     fn scaled_by(self, places: u32) -> i16 {
         (self >> (i16::SPLIT + places)) as i16
     }
@@ -142,10 +138,6 @@ impl ProductSum<i32> for i64 {
     #[inline(always)]
     fn sign(self) -> i32 {
         (self >> i32::BITS) as i32
-    }
-    #[inline(always)]
-    fn scaled(self) -> i32 {
-        self.scaled_by(0)
     }
     #[inline(always)]
     fn scaled_by(self, places: u32) -> i32 {
