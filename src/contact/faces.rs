@@ -180,7 +180,7 @@ pub(super) fn transposed(x: u32) -> u32 {
 ///
 /// # The error
 ///
-/// With the sizes of [`View`](super::view::View). No coefficient is above M = 2·√3·S, and s and t are from zero to one. Then the
+/// With the sizes of [`View`]. No coefficient is above M = 2·√3·S, and s and t are from zero to one. Then the
 /// residual of the first equation is at most 3·u·M, and of the second 13·u·M. Each of the three coefficients
 /// is off by u·M. The place, from two sides of a face, errs by 10·u·S in each coordinate: across the normal by
 /// 10·√3·u·S. A coordinate across the normal errs by 3·√3·u·S for the place, and by as much for each of the

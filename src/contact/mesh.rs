@@ -18,7 +18,7 @@ impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
     /// [`Capsule`](crate::Capsule).
     ///
     /// `interior` has the interior edges of each triangle, by its index in the mesh, as
-    /// [`interior_edges`](crate::contact::interior_edges) computes them. With them no contact is a
+    /// [`interior_edges`] computes them. With them no contact is a
     /// ghost collision: a translation that leads across an interior edge is replaced by one along
     /// the triangle's normal, and [`Contact::is_held`] is `true`.
     ///

@@ -59,7 +59,7 @@ fn gathered<S: Scalar, T: Copy>(
 }
 
 impl Units {
-    /// The units of a scalar that [`is_whole`](super::integers::is_whole), in [`Words`](super::integers::Words).
+    /// The units of a scalar that [`is_whole`](super::integers::is_whole), in [`Words`].
     pub(super) fn of_words<S: Scalar>() -> Self {
         let up = [S::ONE.shift.into(), 0, 0];
         Self { places: 0, axes: 0, halves: 0, ends: 0, ones: 0, up, are_short: true }

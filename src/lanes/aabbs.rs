@@ -119,7 +119,7 @@ impl<S: Scalar, const N: usize> Aabbs<S, N> {
 ///
 /// Use them for cells, blocks and particles, with a [`CellTriangle`]: it computes everything that
 /// depends only on triangle and box size once, for all boxes. For a triangle that meets N boxes and
-/// no more, [`Aabbs`](super::Aabbs) are as fast.
+/// no more, [`Aabbs`] are as fast.
 ///
 /// ```
 /// use septum::lanes::Cells;

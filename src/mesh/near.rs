@@ -28,7 +28,7 @@ impl<Frac: LeEqU32 + Send + Sync + 'static, I: Index> Tree<'_, FixedI32<Frac>, I
 }
 
 impl<'a, S: Scalar, I: Index> Near<Tree<'a, S, I>> {
-    /// [`Tree::overlapping`] without the code for distant shapes. The shape is an [`Aabb`](crate::Aabb), an
+    /// [`Tree::overlapping`] without the code for distant shapes. The shape is an [`Aabb`], an
     /// [`Obb`](crate::Obb), a [`Sphere`](crate::Sphere) or a [`Capsule`](crate::Capsule).
     ///
     /// ```

@@ -6,7 +6,7 @@ use core::ops::{Add, Shl};
 
 use super::word::{WholeWord, Word, out_of_line_if_wide};
 
-/// A sum of products of two lengths: see the table at [`Word`](super::Word).
+/// A sum of products of two lengths: see the table at [`Word`].
 pub trait ProductSum<W>: Copy {
     /// Whether one multiplication gives a whole product.
     const IS_WHOLE: bool;

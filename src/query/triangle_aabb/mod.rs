@@ -136,7 +136,7 @@ impl<S: Scalar> Overlaps<Aabb<S>> for Triangle<S> {
     /// *Cost*: 48 multiplications and no division, with vectors three at a time, whichever axis
     /// separates. Without vectors it is 21 comparisons if a face separates. Pairs within rounding
     /// of contact are evaluated again in wider numbers, except along a face or on a grid. For many
-    /// boxes see [`PreparedTriangle`](crate::prepared::PreparedTriangle). Fixed point on 32-bit
+    /// boxes see [`PreparedTriangle`]. Fixed point on 32-bit
     /// cores has its own kernel with 30 multiplications, for shapes within 2¹⁸ units of the box
     /// (2²⁹ if the core multiplies words in full). In the repository, `docs/target.csv` lists its
     /// instructions and stack, and `docs/flash.csv` its size.

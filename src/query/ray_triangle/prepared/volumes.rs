@@ -23,7 +23,7 @@
 //! * w by at most [`SIDES`] roundoffs of M·D·E.
 //!
 //! E, D and the greatest component of the vertices must be in the range of `f32` in which products
-//! of three lengths are safe ([`Float::RANGE`](crate::arithmetic::Float::RANGE)), and the origin
+//! of three lengths are safe ([`Float::RANGE`]), and the origin
 //! below its upper end. Otherwise the bounds are infinite, and every pair is in doubt. E, D and M
 //! are increased by a relative 2⁻²⁰, to allow for their conversion to `f32`.
 
