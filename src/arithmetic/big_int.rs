@@ -6,11 +6,7 @@ use core::ops::{Add, Mul, Neg, Sub};
 use super::limbs::Limbs;
 use super::number::{Limbed, Number, signed};
 use super::portion::divided_limbs;
-#[cfg(feature = "fixed")]
-use super::quotient::{Dividend, quotient_of_limbs};
 use super::soft::Soft;
-#[cfg(feature = "fixed")]
-use super::wide::I256;
 
 /// An integer in two's complement, least limb first. Its types are chosen so that no result
 /// overflows; see [`Window`](super::Window) and [`FullF32`](super::FullF32).
@@ -38,28 +34,6 @@ impl<const L: usize> BigInt<L> {
     pub(crate) fn sign_magnitude(&self) -> (bool, [u64; L]) {
         let (is_negative, Limbs(magnitude)) = Limbs::magnitude(self.0);
         (is_negative, magnitude)
-    }
-
-    /// num·2^`shift` / `den` to the nearest, ties to even, and at the ends of `i64` if it is
-    /// beyond; the divisor is not zero.
-    #[cfg(feature = "fixed")]
-    pub(crate) fn quotient(&self, den: &Self, shift: u32) -> i64 {
-        match (self.as_i256(), den.as_i256()) {
-            (Some(num), Some(den)) => num.quotient(den, shift),
-            _ => quotient_of_limbs(&self.0, &den.0, shift),
-        }
-    }
-
-    /// The number in 256 bits, if a few of these are left over. Only products of four numbers of 64
-    /// bits may take more.
-    #[cfg(feature = "fixed")]
-    fn as_i256(&self) -> Option<I256> {
-        let narrow = self.resized::<4>();
-        let has_room = L < 5 || {
-            let fill = if self.is_negative() { u64::MAX } else { 0 };
-            self.0.iter().skip(4).all(|&limb| limb == fill) && (narrow.0[3] ^ fill) >> 58 == 0
-        };
-        has_room.then_some(I256::from_limbs(narrow.0))
     }
 
     /// The first limbs of the number, filled up with copies of its sign.

@@ -9,7 +9,9 @@
 use core::ops::{Add, Mul, Sub};
 
 use super::index::three;
+use super::parts::{exp2, scaled};
 use super::quad::Quad;
+use super::soft::Soft;
 
 /// a − b without loss: the rounded difference, and its rounding error.
 ///
@@ -206,6 +208,48 @@ impl Double {
     #[inline(always)]
     pub(crate) fn way(a: &[f64; 3], b: &[f64; 3]) -> [Self; 3] {
         three(|i| Self::difference(a[i], b[i]))
+    }
+}
+
+impl Double {
+    /// The first 64 digits of the size of a number that is within `error` of this one: the least that they
+    /// may be, and the most. `None` for numbers near zero.
+    pub(crate) fn leading(self, error: f64) -> Option<[Soft; 2]> {
+        /// Added to the second word in units of the last place. Sums lose less than 2^-39.
+        const WHOLE: f64 = 4096.0;
+        const LOST: f64 = 1.0 / (1_u64 << 39) as f64;
+        let Self { high, low } = self.magnitude();
+        let Soft { exponent, mantissa, .. } = Soft::of_normal(high);
+        if exponent < -1022 {
+            return None;
+        }
+        let unit = exp2(-exponent);
+        let (low, error) = (low * unit + WHOLE, error * unit + LOST);
+        let digits = |low: f64, is_most: bool| {
+            let more = (low as u64).checked_sub(1)?.wrapping_sub(WHOLE as u64 - 1);
+            let digits = mantissa.checked_add_signed(more as i64)?;
+            // A number with a leading zero has a digit more.
+            Some(if digits >> 63 == 1 {
+                Soft { exponent, mantissa: digits, slack: 0 }
+            } else {
+                Soft {
+                    exponent: exponent - 1,
+                    mantissa: digits << 1 | u64::from(is_most),
+                    slack: 0,
+                }
+            })
+        };
+        Some([digits(low - error, false)?, digits(low + error, true)?])
+    }
+
+    /// The size of an exact number that is not zero; `None` if 64 digits do not hold it.
+    pub(crate) fn in_soft(self) -> Option<Soft> {
+        let Self { high, low } = self.magnitude();
+        let Soft { exponent, mantissa, .. } = Soft::of_normal(high);
+        let low = low * scaled(1, -exponent);
+        let whole = low as i64;
+        let value = u128::from(mantissa).wrapping_add_signed(whole.into());
+        (whole as f64 == low).then(|| Soft::of(value, 0, exponent))
     }
 }
 

@@ -3,7 +3,7 @@
 use core::ops::Mul;
 
 use super::number::Number;
-use super::parts::Parts;
+use super::parts::{Bits, Parts, scaled};
 use super::platform::REGISTERS_ARE_WIDE;
 use super::portion::enclosing;
 use super::quad::OfFour;
@@ -122,38 +122,9 @@ float!(
     3_u64 << 51 >> 14
 );
 
-/// m·2^e to the nearest; tiny results are rounded twice.
-fn scaled(magnitude: u64, exponent: i32) -> f64 {
-    let mut x = magnitude as f64;
-    let mut left = exponent.clamp(-2400, 2400);
-    while left != 0 {
-        let step = left.clamp(-1000, 1000);
-        x *= exp2(step);
-        left -= step;
-    }
-    x
-}
-
-/// The size of x in multiples of 2^(`unit` − 1023), rounded down, if it is below 2^31.
-#[inline(never)]
-pub(crate) fn cut(x: f64, unit: i32) -> i32 {
-    const DIGITS: u32 = f64::MANTISSA_DIGITS - 1;
-    let bits = x.to_bits();
-    // The leading one and the 30 bits below it.
-    let mantissa = 1 << 30 | (bits >> (DIGITS - 30)) as i32 & ((1 << 30) - 1);
-    mantissa.checked_shr((unit + 30 - exponent(x)) as u32).unwrap_or(0)
-}
-
-/// 2^n, a normal number.
-#[inline(always)]
-pub(crate) const fn exp2(n: i32) -> f64 {
-    f64::from_bits(((1023 + n) as u64) << 52)
-}
-
-/// The exponent of a float, as its bits have it.
-#[inline(always)]
-pub(crate) fn exponent(x: f64) -> i32 {
-    (x.to_bits() >> (f64::MANTISSA_DIGITS - 1)) as i32 & 0x7ff
+/// The bits of all coordinates.
+pub(super) fn bits<F: Float>(all: &[[F; 3]]) -> Bits {
+    all.as_flattened().iter().fold(Bits::NONE, |bits, x| bits.with(x.parts()))
 }
 
 /// The quotient of two integers, to the nearest float or the one next to it. Each is given as its

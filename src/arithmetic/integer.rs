@@ -28,13 +28,15 @@
 use core::cmp::Ordering;
 
 use super::big_int::BigInt;
+use super::limbs::full_product;
 use super::out_of_line;
 use super::platform::REGISTERS_ARE_WIDE;
 use super::system::Arithmetic;
 use super::wide::I256;
 #[cfg(feature = "fixed")]
 use super::words::InRaw;
-use super::words::{ProductSum, Word};
+#[cfg(feature = "fixed")]
+use super::words::Word;
 
 /// For 8-bit coordinates: everything in `i32`.
 #[cfg(feature = "fixed")]
@@ -192,38 +194,6 @@ fn by_words(a: i64, b: i64) -> i128 {
     if (a ^ b) < 0 { -product } else { product }
 }
 
-#[inline(always)]
-pub(super) fn full_product(a: u64, b: u64) -> u128 {
-    let words = |x: u64| [x as u32, (x >> 32) as u32];
-    let ([a0, a1], [b0, b1]) = (words(a), words(b));
-    let low = word_product(a0, b0);
-    // Below 2^64, because so is (2^32 − 1)² + 2·(2^32 − 1).
-    let middle = word_product(a0, b1) + (low >> 32);
-    let other = word_product(a1, b0) + u64::from(middle as u32);
-    let high = word_product(a1, b1) + (middle >> 32) + (other >> 32);
-    u128::from(high) << 64 | u128::from(other << 32 | u64::from(low as u32))
-}
-
-#[inline(always)]
-pub(super) fn word_product(a: u32, b: u32) -> u64 {
-    if <<i32 as Word>::Sum as ProductSum<i32>>::IS_WHOLE {
-        u64::from(a) * u64::from(b)
-    } else {
-        by_halves(a, b)
-    }
-}
-
-/// The product of two words, for machines that have no long product.
-#[inline(always)]
-fn by_halves(a: u32, b: u32) -> u64 {
-    let ([a0, a1], [b0, b1]) = ([a & 0xffff, a >> 16], [b & 0xffff, b >> 16]);
-    let low = a0 * b0;
-    let middle = a0 * b1 + (low >> 16);
-    let other = a1 * b0 + (middle & 0xffff);
-    let high = a1 * b1 + (middle >> 16) + (other >> 16);
-    u64::from(high) << 32 | u64::from(other << 16 | low & 0xffff)
-}
-
 /// A product of four lengths times an area.
 #[inline(always)]
 fn of_four_and_two(a: i128, b: i64) -> i128 {
@@ -264,7 +234,7 @@ pub(super) fn below<S: InRaw>(coordinates: &[S], most: u32) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::{by_halves, by_words, by_words_and_two, sign_by_short_products};
+    use super::{by_words, by_words_and_two, sign_by_short_products};
     use crate::arithmetic::Each;
 
     #[test]
@@ -286,9 +256,6 @@ mod tests {
     #[test]
     fn products_by_words_are_products() {
         let words = [0, 1, 2, 0xffff, 0x1_0000, 0x8000_0001, 0xfff0_ffff, u32::MAX];
-        for (a, b) in words.iter().flat_map(|&a| words.map(|b| (a, b))) {
-            assert_eq!(by_halves(a, b), u64::from(a) * u64::from(b), "{a} {b}");
-        }
         let both = |a: u32, b: u32| (u64::from(a) << 32 | u64::from(b)) as i64;
         let longs = || words.iter().flat_map(|&a| words.map(|b| both(a, b)));
         for (a, b) in longs().flat_map(|a| longs().map(move |b| (a, b))) {

@@ -1,6 +1,9 @@
-//! Unsigned integers of any size, and their long division.
+//! Unsigned integers of any size, their long division, and products and quotients of one limb where
+//! registers are narrow.
 
 use core::cmp::Ordering;
+
+use super::platform::HAS_LONG_PRODUCTS;
 
 /// An unsigned integer for long division and roots.
 pub trait Wide: Copy + Ord {
@@ -124,10 +127,90 @@ pub(super) fn divided_by_places<W: Wide>(num: W, den: &W, count: u32) -> (u64, W
     (quotient, rest)
 }
 
+/// The product of two limbs, from products of words.
+#[inline(always)]
+pub(super) fn full_product(a: u64, b: u64) -> u128 {
+    let words = |x: u64| [x as u32, (x >> 32) as u32];
+    let ([a0, a1], [b0, b1]) = (words(a), words(b));
+    let low = word_product(a0, b0);
+    // Below 2^64, because so is (2^32 − 1)² + 2·(2^32 − 1).
+    let middle = word_product(a0, b1) + (low >> 32);
+    let other = word_product(a1, b0) + u64::from(middle as u32);
+    let high = word_product(a1, b1) + (middle >> 32) + (other >> 32);
+    u128::from(high) << 64 | u128::from(other << 32 | u64::from(low as u32))
+}
+
+/// The product of two words.
+#[inline(always)]
+fn word_product(a: u32, b: u32) -> u64 {
+    if HAS_LONG_PRODUCTS { u64::from(a) * u64::from(b) } else { by_halves(a, b) }
+}
+
+/// The product of two words, for machines that have no long product.
+#[inline(always)]
+fn by_halves(a: u32, b: u32) -> u64 {
+    let ([a0, a1], [b0, b1]) = ([a & 0xffff, a >> 16], [b & 0xffff, b >> 16]);
+    let low = a0 * b0;
+    let middle = a0 * b1 + (low >> 16);
+    let other = a1 * b0 + (middle & 0xffff);
+    let high = a1 * b1 + (middle >> 16) + (other >> 16);
+    u64::from(high) << 32 | u64::from(other << 16 | low & 0xffff)
+}
+
+/// a·2^63/b rounded down, and the remainder, for two numbers whose top bit is set.
+///
+/// Cores without a long division take the reciprocal of a word: three digits, each from the last
+/// remainder, take a quarter of the instructions of 64 binary places.
+///
+/// No digit is too great, because the reciprocal is not, and rounding is downward. A digit of 29 bits is
+/// at most three too low: the reciprocal lacks less than 2^-28 of itself, and two numbers are
+/// cut. So each remainder is below four divisors, and each digit below 2^30.
+#[inline(never)]
+pub(super) fn divided_by_reciprocal(a: u64, b: u64) -> (u64, u64) {
+    // It is, and a zero would have no end.
+    let b = b | 1 << 63;
+    let inverse = reciprocal((b >> 32) as u32);
+    let (mut quotient, mut rest) = (0, u128::from(a) << 63);
+    let mut digit = |down: u32, place: u32| {
+        // 1/b is inverse/2^95.
+        let digit = word_product((rest >> down) as u32, inverse) >> (95 + place - down);
+        quotient += digit << place;
+        let low = u128::from(word_product(digit as u32, b as u32));
+        let high = u128::from(word_product(digit as u32, (b >> 32) as u32));
+        rest -= (low + (high << 32)) << place;
+    };
+    digit(96, 35);
+    digit(70, 8);
+    digit(44, 0);
+    while rest >= u128::from(b) {
+        rest -= u128::from(b);
+        quotient += 1;
+    }
+    (quotient, rest as u64)
+}
+
+/// 2^63/(h + 1) rounded down, or less by at most 2^-28 of itself. The top bit of h is set.
+///
+/// With d = h/2^32 and y·2^-31 an estimate of 1/d, a step of Newton's method gives y·(2 − d·y), which
+/// is never above 1/d and squares the relative error: 2^-4 at first, 2^-32 after three steps. The
+/// product d·y is cut: 2 − d·y is too high by 2^-31 at most, and y by two. The difference between 1/h
+/// and 1/(h + 1) is two more.
+#[inline(always)]
+fn reciprocal(h: u32) -> u32 {
+    let upper = |a: u32, b: u32| (word_product(a, b) >> 32) as u32;
+    // 2.819 − 1.875·d, in units of 2^-31, modulo 2^32.
+    let mut y = 0x68d4_fdf3_u32.wrapping_sub(h - (h >> 4));
+    for _ in 0..3 {
+        y = upper(y, upper(h, y).wrapping_neg()) << 1;
+    }
+    y - 4
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::arithmetic::Each;
+    use crate::random::Random;
 
     #[test]
     fn limbs_carry() {
@@ -162,6 +245,62 @@ mod tests {
                     assert_eq!(places, (quotient, limbs(rest)));
                 }
             }
+        }
+    }
+
+    #[test]
+    fn products_by_halves_are_products() {
+        let words = [0, 1, 2, 0xffff, 0x1_0000, 0x8000_0001, 0xfff0_ffff, u32::MAX];
+        for (a, b) in words.iter().flat_map(|&a| words.map(|b| (a, b))) {
+            assert_eq!(by_halves(a, b), u64::from(a) * u64::from(b), "{a} {b}");
+        }
+    }
+
+    fn check(a: u64, b: u64) {
+        let num = u128::from(a) << 63;
+        let (q, r) = ((num / u128::from(b)) as u64, (num % u128::from(b)) as u64);
+        assert_eq!(divided_by_reciprocal(a, b), (q, r), "{a:x} / {b:x}");
+    }
+
+    /// Numbers of few digits, with runs of ones and of zeros, and of all digits.
+    #[test]
+    fn quotients_are_those_of_long_division() {
+        let top = 1 << 63;
+        let ends = [
+            top,
+            top + 1,
+            top | 0xffff_ffff,
+            top | 1 << 32,
+            u64::MAX,
+            u64::MAX - 1,
+            u64::MAX << 32,
+        ];
+        for a in ends {
+            for b in ends {
+                check(a, b);
+            }
+        }
+        let mut random = Random(0x0d15);
+        let mut number = |n: u32| {
+            let (bits, shift) = (random.bits(), random.bits() % 64);
+            top | match n % 3 {
+                0 => bits,
+                1 => bits >> shift << shift,
+                _ => bits | ((1 << shift) - 1),
+            }
+        };
+        for n in 0..200_000 {
+            check(number(n), number(n / 3));
+        }
+    }
+
+    /// At every fourth bit pattern's neighbourhood, and at the ends.
+    #[test]
+    fn a_reciprocal_is_low_and_not_by_much() {
+        let all = (1_u32 << 31..=u32::MAX).step_by(40_009);
+        for h in all.chain([1 << 31, (1 << 31) + 1, u32::MAX - 1, u32::MAX]) {
+            let (y, most) = (u64::from(reciprocal(h)), (1 << 63) / (u64::from(h) + 1));
+            assert!(y <= most && most - y <= most >> 28, "{h:x}: {y} {most}");
         }
     }
 }

@@ -44,7 +44,7 @@ pub(crate) use enclosed::{compare_products, order_of_products, sign_of, sum_of};
 pub(crate) use ends::{enclosed, lost_in_row};
 pub use filtered::Filtered;
 pub use float::Float;
-pub(crate) use float::{FirstFloat, InFloat, cut, exp2, exponent, quotient, three_in_float};
+pub(crate) use float::{FirstFloat, InFloat, quotient, three_in_float};
 pub use full::{FullF32, FullF64};
 pub(crate) use index::{Each, cross3, dot3, minus3, pick, three, turn, two};
 #[cfg(feature = "fixed")]
@@ -56,10 +56,14 @@ pub(crate) use limbs::{Limbs, Wide};
 pub use number::{Limbed, Number};
 pub(crate) use number::{compare, greatest, largest, least, sign};
 pub(crate) use offset::Offset;
-pub(crate) use parts::Bits;
 pub use parts::Parts;
-pub(crate) use platform::{REGISTERS_ARE_WIDE, SMALL_CODE, is_software};
+pub(crate) use parts::{Bits, cut, exp2, exponent};
+pub(crate) use platform::{
+    REGISTERS_ARE_WIDE, SMALL_CODE, is_software, out_of_line, out_of_line_if_wide, part,
+};
 pub(crate) use quad::{OfFour, Quad, THREE, root_of_machine};
+#[cfg(feature = "fixed")]
+pub(crate) use quotient::quotient_of_sums;
 #[cfg(feature = "fixed")]
 pub use root::Signed;
 #[cfg(feature = "fixed")]
@@ -77,9 +81,7 @@ pub(crate) use wide::I256;
 pub use window::ShortWindow;
 pub use window::Window;
 pub use words::{InRaw, InWholeWord, InWord, ProductSum, Raw, WholeVolume, WholeWord, Word};
-pub(crate) use words::{
-    cross_words, dot_words, first_sign, out_of_line, out_of_line_if_wide, part,
-};
+pub(crate) use words::{cross_words, dot_words, first_sign};
 
 #[cfg(test)]
 pub(crate) use float::tests::two_to;

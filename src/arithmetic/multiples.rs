@@ -3,18 +3,13 @@
 use core::cmp::Ordering;
 
 use super::big_int::BigInt;
-use super::float::{Float, quotient};
+use super::float::{Float, bits, quotient};
 use super::integer::Int64;
 use super::number::{Number, greatest};
 use super::parts::Bits;
 use super::system::{Embeds, convert};
 use super::wide::I256;
 use super::window::Window;
-
-/// The bits of all coordinates.
-pub(super) fn bits<F: Float>(all: &[[F; 3]]) -> Bits {
-    all.as_flattened().iter().fold(Bits::NONE, |bits, x| bits.with(x.parts()))
-}
 
 /// Whether 60 bits hold all.
 fn is_short(bits: Bits) -> bool {

@@ -1,6 +1,6 @@
 //! Differences of coordinates in `f32`, for kernels in vectors, in every scalar.
 
-use super::words::{InRaw, Word};
+use super::words::{InRaw, RawOffset, Word};
 
 /// A scalar whose coordinates have differences in `f32`. In fixed point the unit of a difference is
 /// the last place, and for 64 bits 2^24 of it, so that cubes of sizes are numbers of `f32`.
@@ -99,58 +99,6 @@ impl<S: InRaw> Offset for S {
         let (x, one, other) = (self.raw(), one.raw(), other.raw());
         x.minus(one).plus(x.minus(other)).in_offset()
     }
-}
-
-/// A word of raw bits, and the number of last places in a unit.
-pub trait RawOffset: Sized {
-    /// The limit of coordinates.
-    const OFFSET_LIMIT: Self;
-    /// The bits that a coordinate plus the limit has only outside of the limit.
-    const OUTSIDE: Self;
-
-    /// A mask for the places below a unit.
-    fn below_unit(unit: f32) -> Self;
-
-    /// The difference in units.
-    fn in_offset(self) -> f32;
-}
-
-impl RawOffset for i32 {
-    const OFFSET_LIMIT: i32 = 1 << 29;
-    const OUTSIDE: i32 = !(2 * Self::OFFSET_LIMIT - 1);
-
-    #[inline(always)]
-    fn below_unit(unit: f32) -> i32 {
-        (unit as i32 - 1).max(0)
-    }
-    #[inline(always)]
-    fn in_offset(self) -> f32 {
-        self as f32
-    }
-}
-
-impl RawOffset for i64 {
-    // Below 2^51, adding two numbers converts a whole vector to `f64`; the processor's conversion
-    // takes one number at a time.
-    const OFFSET_LIMIT: i64 = 1 << 49;
-    const OUTSIDE: i64 = !(2 * Self::OFFSET_LIMIT - 1);
-
-    #[inline(always)]
-    fn below_unit(unit: f32) -> i64 {
-        ((unit * (1_u32 << 24) as f32) as i64 - 1).max(0)
-    }
-    #[inline(always)]
-    fn in_offset(self) -> f32 {
-        in_double(self) as f32
-    }
-}
-
-/// A number below 2^51 in magnitude, divided by 2^24.
-#[inline(always)]
-fn in_double(x: i64) -> f64 {
-    // 1.5·2^52 over 2^24: the last place is 2^-24.
-    const SHIFTER: f64 = (3_u64 << (51 - 24)) as f64;
-    f64::from_bits(SHIFTER.to_bits().wrapping_add(x as u64)) - SHIFTER
 }
 
 #[cfg(all(test, feature = "fixed"))]

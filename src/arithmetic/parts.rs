@@ -1,3 +1,5 @@
+//! Numbers in parts: sign, magnitude and exponent, and the bits of a float.
+
 /// A number as sign, integer magnitude and power of two, in units of the least number of its type.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Parts {
@@ -71,4 +73,38 @@ impl Bits {
         let width = self.high.saturating_sub(self.low);
         if width > 0 { width } else { 0 }
     }
+}
+
+/// m·2^e, to the nearest; tiny results are rounded twice.
+pub(crate) fn scaled(magnitude: u64, exponent: i32) -> f64 {
+    let mut x = magnitude as f64;
+    let mut left = exponent.clamp(-2400, 2400);
+    while left != 0 {
+        let step = left.clamp(-1000, 1000);
+        x *= exp2(step);
+        left -= step;
+    }
+    x
+}
+
+/// The size of x in multiples of 2^(`unit` − 1023), rounded down, if it is below 2^31.
+#[inline(never)]
+pub(crate) fn cut(x: f64, unit: i32) -> i32 {
+    const DIGITS: u32 = f64::MANTISSA_DIGITS - 1;
+    let bits = x.to_bits();
+    // The leading one and the 30 bits below it.
+    let mantissa = 1 << 30 | (bits >> (DIGITS - 30)) as i32 & ((1 << 30) - 1);
+    mantissa.checked_shr((unit + 30 - exponent(x)) as u32).unwrap_or(0)
+}
+
+/// 2^n, a normal number.
+#[inline(always)]
+pub(crate) const fn exp2(n: i32) -> f64 {
+    f64::from_bits(((1023 + n) as u64) << 52)
+}
+
+/// The exponent of a float, as its bits have it.
+#[inline(always)]
+pub(crate) fn exponent(x: f64) -> i32 {
+    (x.to_bits() >> (f64::MANTISSA_DIGITS - 1)) as i32 & 0x7ff
 }

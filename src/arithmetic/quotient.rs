@@ -9,9 +9,9 @@ use core::num::NonZero;
 use core::ops::{Add, Mul, Sub};
 
 use super::big_int::BigInt;
-use super::float::exp2;
 use super::limbs::{Limbs, Wide, divided_by_places};
 use super::number::{Number, greatest};
+use super::parts::exp2;
 use super::platform::REGISTERS_ARE_WIDE;
 use super::quad::{OfFour, Quad};
 use super::wide::I256;
@@ -100,12 +100,30 @@ fn divide_widest<const L: usize>(mut num: Limbs<L>, mut den: Limbs<L>, shift: u3
     nearest(q, rest.cmp(&den))
 }
 
-/// num·2^shift / den, both in two's complement, least limb first. The divisor is not zero and
-/// leaves one bit free.
-pub(crate) fn quotient_of_limbs<const L: usize>(num: &[u64; L], den: &[u64; L], shift: u32) -> i64 {
+/// num·2^`shift` / `den` to the nearest, ties to even, and at the ends of `i64` if it is beyond; the
+/// divisor is not zero and leaves one bit free.
+pub(crate) fn quotient_of_sums<const L: usize>(
+    num: &BigInt<L>,
+    den: &BigInt<L>,
+    shift: u32,
+) -> i64 {
+    if let (Some(num), Some(den)) = (in_256_bits(num), in_256_bits(den)) {
+        return num.quotient(den, shift);
+    }
     let ((is_negative, num), (is_other_negative, den)) =
-        (Limbs::magnitude(*num), Limbs::magnitude(*den));
-    signed(divide_widest(num, den, shift), is_negative != is_other_negative)
+        (num.sign_magnitude(), den.sign_magnitude());
+    signed(divide_widest(Limbs(num), Limbs(den), shift), is_negative != is_other_negative)
+}
+
+/// The number in 256 bits, if a few of these are left over. Only products of four numbers of 64
+/// bits may take more.
+fn in_256_bits<const L: usize>(x: &BigInt<L>) -> Option<I256> {
+    let narrow = x.resized::<4>();
+    let has_room = L < 5 || {
+        let fill = if x.is_negative() { u64::MAX } else { 0 };
+        x.0.iter().skip(4).all(|&limb| limb == fill) && (narrow.0[3] ^ fill) >> 58 == 0
+    };
+    has_room.then_some(I256::from_limbs(narrow.0))
 }
 
 /// Adding this rounds to an integer in the last bits of the sum: 1.5·2^52.
@@ -200,7 +218,7 @@ impl Dividend for I256 {
 
 impl<const L: usize> Dividend for BigInt<L> {
     fn quotient(self, den: Self, shift: u32) -> i64 {
-        Self::quotient(&self, &den, shift)
+        quotient_of_sums(&self, &den, shift)
     }
     fn compare(self, den: Self, shift: u32, t: i64) -> Ordering {
         self.shifted_up(shift as usize).cmp(&den.times(&BigInt::<2>::from(i128::from(t))))

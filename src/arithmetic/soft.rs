@@ -5,12 +5,9 @@
 //! ([`portion`](super::portion)), and to compute the lengths, quotients and roots of a least
 //! translation.
 
-use super::double::Double;
-use super::float::exp2;
-use super::integer::full_product;
-use super::limbs::divided_by_places;
+use super::limbs::{divided_by_places, divided_by_reciprocal, full_product};
+use super::parts::scaled;
 use super::platform::{REGISTERS_ARE_WIDE, Slack};
-use super::portion::divided_by_reciprocal;
 
 /// A number x with mantissa·2^exponent ≤ x ≤ (mantissa + slack)·2^exponent.
 ///
@@ -19,9 +16,9 @@ use super::portion::divided_by_reciprocal;
 /// so after a few operations on exact numbers a number is still known to 2^-55 of itself.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Soft {
-    exponent: i32,
-    mantissa: u64,
-    slack: Slack,
+    pub(super) exponent: i32,
+    pub(super) mantissa: u64,
+    pub(super) slack: Slack,
 }
 
 impl Soft {
@@ -44,46 +41,6 @@ impl Soft {
         // The sign and the exponent are shifted out, and the leading bit becomes the highest.
         let mantissa = (bits | 1 << (DIGITS - 1)) << (64 - DIGITS);
         Self { exponent: (bits >> (DIGITS - 1)) as i32 - 1086, mantissa, slack: 0 }
-    }
-
-    /// The first 64 digits of the size of a number that is within `error` of two words: the least that they
-    /// may be, and the most. `None` for numbers near zero.
-    pub(crate) fn leading(x: Double, error: f64) -> Option<[Self; 2]> {
-        /// Added to the second word in units of the last place. Sums lose less than 2^-39.
-        const WHOLE: f64 = 4096.0;
-        const LOST: f64 = 1.0 / (1_u64 << 39) as f64;
-        let Double { high, low } = x.magnitude();
-        let Self { exponent, mantissa, .. } = Self::of_normal(high);
-        if exponent < -1022 {
-            return None;
-        }
-        let unit = exp2(-exponent);
-        let (low, error) = (low * unit + WHOLE, error * unit + LOST);
-        let digits = |low: f64, is_most: bool| {
-            let more = (low as u64).checked_sub(1)?.wrapping_sub(WHOLE as u64 - 1);
-            let digits = mantissa.checked_add_signed(more as i64)?;
-            // A number with a leading zero has a digit more.
-            Some(if digits >> 63 == 1 {
-                Self { exponent, mantissa: digits, slack: 0 }
-            } else {
-                Self {
-                    exponent: exponent - 1,
-                    mantissa: digits << 1 | u64::from(is_most),
-                    slack: 0,
-                }
-            })
-        };
-        Some([digits(low - error, false)?, digits(low + error, true)?])
-    }
-
-    /// The size of an exact number in two words, which is not zero; `None` if 64 digits do not hold it.
-    pub(crate) fn of_double(x: Double) -> Option<Self> {
-        let Double { high, low } = x.magnitude();
-        let Self { exponent, mantissa, .. } = Self::of_normal(high);
-        let low = low * <f64 as super::Float>::scaled(1, -exponent);
-        let whole = low as i64;
-        let value = u128::from(mantissa).wrapping_add_signed(whole.into());
-        (whole as f64 == low).then(|| Self::of(value, 0, exponent))
     }
 
     /// A number between two floats, which are normal and above zero; `None` if they are more than
@@ -125,7 +82,7 @@ impl Soft {
     }
 
     /// A number between value·2^exponent and (value + slack)·2^exponent, with a value above zero.
-    fn of(value: u128, slack: u128, exponent: i32) -> Self {
+    pub(super) fn of(value: u128, slack: u128, exponent: i32) -> Self {
         let zeros = value.leading_zeros();
         if zeros > 64 {
             let up = zeros - 64;
@@ -157,7 +114,7 @@ impl Soft {
 
     /// The number as a float, to a few roundings.
     pub(crate) fn in_double(self) -> f64 {
-        <f64 as super::Float>::scaled(self.mantissa, self.exponent)
+        scaled(self.mantissa, self.exponent)
     }
 
     fn parts(self) -> (u128, u128) {
@@ -307,7 +264,7 @@ const ROOT_ROUNDOFFS: u16 = 2;
 pub(crate) fn root(x: f64) -> f64 {
     let Soft { exponent, mantissa, .. } = Soft::of_normal(x);
     let odd = exponent & 1;
-    let first = <f64 as super::Float>::scaled((mantissa >> odd).isqrt(), (exponent + odd) / 2);
+    let first = scaled((mantissa >> odd).isqrt(), (exponent + odd) / 2);
     0.5 * (first + x / first)
 }
 

@@ -8,7 +8,8 @@
 use core::fmt::Debug;
 use core::ops::Div;
 
-use super::float::{Float, exp2};
+use super::float::Float;
+use super::parts::exp2;
 use super::quad::{OfFour, Quad};
 
 /// A float in which quotients of lengths are compared.

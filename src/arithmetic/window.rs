@@ -5,8 +5,7 @@ use core::cmp::Ordering;
 use core::marker::PhantomData;
 
 use super::big_int::BigInt;
-use super::float::{Float, quotient};
-use super::multiples::bits;
+use super::float::{Float, bits, quotient};
 use super::number::Number;
 use super::system::{Arithmetic, Embeds, convert};
 

@@ -2,7 +2,6 @@
 
 use core::fmt;
 
-use super::points::{Point, Points};
 use crate::scalar::Scalar;
 use crate::shape::Vec3;
 
@@ -67,6 +66,54 @@ pub struct Translation<S> {
     /// Whether `vector` moves the first shape out of the second. It is `false` if and only if a
     /// coordinate lies beyond the range of the scalar.
     pub is_sufficient: bool,
+}
+
+/// A contact point: a point of the first shape and a point of the second, which coincide after the
+/// least translation or overlap before it.
+///
+/// The error is stated in [the module](super#points).
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
+pub struct Point<S> {
+    /// On the first shape.
+    pub on_first: Vec3<S>,
+    /// On the second shape.
+    pub on_second: Vec3<S>,
+    /// The distance of the two points along the normal; never negative.
+    pub depth: S,
+    /// The part of the first shape and the part of the second that meet here.
+    pub parts: [Part; 2],
+}
+
+/// The intersection of two convex quadrilaterals has at most this many corners.
+pub(super) const MOST: usize = 8;
+
+/// Up to eight points.
+#[derive(Clone, Copy)]
+pub(super) struct Points<S> {
+    pub(super) points: [Point<S>; MOST],
+    pub(super) count: usize,
+}
+
+impl<S: Scalar> Points<S> {
+    #[inline(always)]
+    pub(super) fn none() -> Self {
+        let zero = Vec3::splat(S::ZERO);
+        let parts = [Part::Face(0); 2];
+        Self {
+            points: [Point { on_first: zero, on_second: zero, depth: S::ZERO, parts }; MOST],
+            count: 0,
+        }
+    }
+
+    pub(super) fn one(point: Point<S>) -> Self {
+        Self { points: [point; MOST], count: 1 }
+    }
+
+    pub(super) fn as_slice(&self) -> &[Point<S>] {
+        self.points.get(..self.count).unwrap_or(&[])
+    }
 }
 
 /// The minimum translation, and the points where the shapes overlap.

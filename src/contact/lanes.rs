@@ -2,8 +2,63 @@
 
 use core::ops::{Add, Div, Mul, Sub};
 
-use super::filter::Measure;
-use crate::arithmetic::{Quad, greatest, least};
+use crate::arithmetic::{Float, Quad, exp2, greatest, least};
+
+/// A float in which directions are measured.
+pub(super) trait Measure: Float + Div<Output = Self> {
+    /// If the square of a cross product is below this part of P², it may be off by more than
+    /// [`SPREAD`](Self::SPREAD).
+    const NOISE: Self;
+    /// The relative error of the square of a cross product.
+    const SPREAD: Self;
+    /// The same if the square is at least a sixteenth of P².
+    const LEAST_SPREAD: Self;
+    /// The spread of each of four squares, by bits that are set for [`SPREAD`](Self::SPREAD).
+    const SPREADS: [[Self; 4]; 16] = spreads([Self::LEAST_SPREAD, Self::SPREAD]);
+    /// The range of sizes, and of sides with half-extents. A number within it may be squared, cubed,
+    /// and squared again; in `f32` a product may be squared.
+    const SIZES: (Self, Self);
+    /// The range of P. Axes that are parallel except for a residue have a short cross product.
+    const PRODUCTS: (Self, Self);
+    const INFINITY: Self;
+
+    fn is_size(self) -> bool {
+        (self > Self::SIZES.0) & (self < Self::SIZES.1)
+    }
+
+    /// Whether a product is so great that underflow does not matter, and no more than that.
+    fn is_product(self) -> bool {
+        (self > Self::PRODUCTS.0) & (self < Self::PRODUCTS.1)
+    }
+}
+
+impl Measure for f64 {
+    const NOISE: Self = exp2(-54);
+    const SPREAD: Self = exp2(-20);
+    const LEAST_SPREAD: Self = exp2(-45);
+    const SIZES: (Self, Self) = (exp2(-100), exp2(100));
+    const PRODUCTS: (Self, Self) = (exp2(-150), exp2(100));
+    const INFINITY: Self = Self::INFINITY;
+}
+
+impl Measure for f32 {
+    const NOISE: Self = exp2(-22) as Self;
+    const SPREAD: Self = exp2(-8) as Self;
+    const LEAST_SPREAD: Self = exp2(-16) as Self;
+    const SIZES: (Self, Self) = (exp2(-20) as Self, exp2(20) as Self);
+    const PRODUCTS: (Self, Self) = (exp2(-20) as Self, exp2(20) as Self);
+    const INFINITY: Self = Self::INFINITY;
+}
+
+const fn spreads<F: Copy>(of: [F; 2]) -> [[F; 4]; 16] {
+    let mut spreads = [[of[0]; 4]; 16];
+    let mut n = 0;
+    while n < 64 {
+        spreads[n / 4][n % 4] = of[(n / 4) >> (n % 4) & 1];
+        n += 1;
+    }
+    spreads
+}
 
 /// A number for each of several directions: a float, or four as hosts have them. Comparisons with NaN
 /// are false.
@@ -107,48 +162,5 @@ impl<Q: Quad<Lane: Measure>> Lanes for Q {
     #[inline(always)]
     fn is_within(self, other: Self) -> u32 {
         self.is_at_most(other)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use crate::arithmetic::{OfFour, three, two};
-    use crate::contact::body::{Rough, cross, dot};
-    use crate::contact::filter::{Measure, Ruler};
-    use crate::contact::lanes::Lanes;
-    use crate::random::Random;
-
-    /// The square of a direction that `f32` knows is that of the sides in `f64`, within its spread: of
-    /// sides as nearly parallel as it allows, and of all others.
-    #[test]
-    fn squares_in_f32_are_within_their_spread() {
-        let mut random = Random(0x50ea);
-        let mut number = || f64::from(random.bits() as i32) * 2_f64.powi(-31);
-        let mut known = [0; 2];
-        for n in 0..40_000 {
-            let (x, by, off) = (three(|_| number()), number(), 2_f64.powi(-(n % 14)));
-            let y = three(|i| by * x[i] + off * number());
-            let rough = |side| Rough {
-                is_triangle: false,
-                at: [[0.0; 3]; 3],
-                sides: [side; 3],
-                half: [1.0; 3],
-            };
-            let shapes = [rough(x), rough(y)];
-            let short = two(|k| shapes[k].short());
-            let ruler = Ruler::new(&short);
-            let found = ruler.measured::<<f32 as OfFour>::Quad>(|_| [0, 3]);
-            if ruler.known(found.scale, found.square) & 1 == 0 {
-                continue;
-            }
-            let (square, scale) = (found.square.lane(0), found.scale.lane(0));
-            let is_noisy = scale * scale > 16.0 * square;
-            let spread = if is_noisy { f32::SPREAD } else { f32::LEAST_SPREAD };
-            let a = cross(&x, &y);
-            let truth = dot(&a, &a);
-            assert!((f64::from(square) - truth).abs() <= f64::from(spread) * truth, "{x:?} {y:?}");
-            known[usize::from(is_noisy)] += 1;
-        }
-        assert!(known[0] > 8_000 && known[1] > 8_000, "{known:?}");
     }
 }

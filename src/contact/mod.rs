@@ -151,10 +151,9 @@ use crate::shape::Triangle;
 #[cfg(doc)]
 use crate::shape::{Aabb, Capsule, Obb, Sphere};
 
-pub use self::answer::{Contact, Features, Part, Translation};
+pub use self::answer::{Contact, Features, Part, Point, Translation};
 pub use self::mesh::{Contacts, InteriorEdges, interior_edges};
 pub use self::pairs::{ContactWith, Shape};
-pub use self::points::Point;
 
 /// Returns the minimum translation that moves the first shape out of the second, or `None` if they
 /// are disjoint or touch.

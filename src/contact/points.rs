@@ -1,6 +1,6 @@
 //! Contact points: where shapes touch after the least translation.
 
-use super::answer::{Features, Part};
+use super::answer::{Features, MOST, Part, Point, Points};
 use super::body::{Body, Place, Rough, Vec64, difference_in_double, dot, flipped, scaled};
 use super::clip::clip;
 use super::directions::Direction;
@@ -8,55 +8,10 @@ use super::faces::{Face, ones};
 use super::measures::{Directed, Way};
 use super::sides::Unit;
 use super::solid::{Solid, edge_of_box};
-use super::view::{Edge, MOST, Pair, Pairs, View, distance};
+use super::view::{Edge, Pair, Pairs, View, distance};
 use crate::arithmetic::{Each, exp2, greatest, minus3, out_of_line, part, three, two};
 use crate::scalar::Scalar;
 use crate::shape::Vec3;
-
-/// A contact point: a point of the first shape and a point of the second, which coincide after the
-/// least translation or overlap before it.
-///
-/// The error is stated in [the module](super#points).
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
-pub struct Point<S> {
-    /// On the first shape.
-    pub on_first: Vec3<S>,
-    /// On the second shape.
-    pub on_second: Vec3<S>,
-    /// The distance of the two points along the normal; never negative.
-    pub depth: S,
-    /// The part of the first shape and the part of the second that meet here.
-    pub parts: [Part; 2],
-}
-
-/// Up to eight points.
-#[derive(Clone, Copy)]
-pub(super) struct Points<S> {
-    points: [Point<S>; MOST],
-    count: usize,
-}
-
-impl<S: Scalar> Points<S> {
-    #[inline(always)]
-    pub(super) fn none() -> Self {
-        let zero = Vec3::splat(S::ZERO);
-        let parts = [Part::Face(0); 2];
-        Self {
-            points: [Point { on_first: zero, on_second: zero, depth: S::ZERO, parts }; MOST],
-            count: 0,
-        }
-    }
-
-    pub(super) fn one(point: Point<S>) -> Self {
-        Self { points: [point; MOST], count: 1 }
-    }
-
-    pub(super) fn as_slice(&self) -> &[Point<S>] {
-        self.points.get(..self.count).unwrap_or(&[])
-    }
-}
 
 /// Three answers as bits.
 #[inline(always)]

@@ -3,13 +3,12 @@
 //! A sphere is a point with a radius, and a capsule a segment with one. [`nearest`](super::nearest)
 //! has the direction, exactly, and [`depth`](super::depth) the numbers along it.
 
-use super::answer::{Features, Part};
+use super::answer::{Features, Part, Point, Points};
 use super::apart::apart;
 use super::body::{Flat, Round, dot};
 use super::depth::{Out, Units, out, rounded};
 use super::mesh::InteriorEdges;
 use super::nearest::Pair;
-use super::points::{Point, Points};
 use super::scene::{Scene, Way};
 use super::{Contact, Translation};
 use crate::arithmetic::{Each, Embeds, Number, greatest, root, three};

@@ -4,8 +4,9 @@ use core::cmp::Ordering;
 
 use super::body::{Vec64, dot};
 use super::directions::Direction;
-use super::filter::{Filter, Measure, cross_with_products};
-use crate::arithmetic::{REGISTERS_ARE_WIDE, largest, three};
+use super::filter::{Filter, ROUNDOFFS, cross_with_products};
+use super::lanes::Measure;
+use crate::arithmetic::{Number, REGISTERS_ARE_WIDE, largest, three};
 
 impl Filter<'_> {
     /// How many of the two sides of a direction are rounded, as differences of points are.
@@ -35,7 +36,7 @@ impl Filter<'_> {
     /// The signs of the sides of the shapes along a direction, where floats are certain.
     ///
     /// With the products p − q in a coordinate of a, a·s is a sum of terms p·s and q·s.
-    /// `filter.g` proves that it errs by at most a quarter of [`ERROR`](Measure::ERROR) times the
+    /// `filter.g` proves that it errs by at most a quarter of [`ROUNDOFFS`] times the
     /// greatest of these terms. The bound is by terms, so that a side keeps its sign if it is
     /// perpendicular to the direction up to a residue. If all terms are zero, so is the sum, unless
     /// one has underflowed.
@@ -67,7 +68,7 @@ impl Filter<'_> {
                 let along = dot(a, s);
                 let size = largest(&three(|i| products[i] * s[i]));
                 let is_in_range = is_in_range & largest(s).is_size() & size.is_size();
-                let is_certain = is_in_range & (along.abs() > f64::ERROR / 4.0 * size);
+                let is_certain = is_in_range & (along.abs() > size.error(ROUNDOFFS / 4));
                 let is_equal = is_across | (self.is_short & (size == 0.0));
                 let sign = if is_equal { 0 } else { 2 * i8::from(along > 0.0) - 1 };
                 (is_equal | is_certain).then(|| sign.cmp(&0))

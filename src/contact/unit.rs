@@ -3,7 +3,7 @@
 use super::body::{Vec64, flipped};
 use super::exact::length;
 use super::measures::unit_of;
-use crate::arithmetic::{Double, Each, Soft, compare, exp2, pick, three, turn};
+use crate::arithmetic::{Double, Each, compare, exp2, pick, three, turn};
 
 /// Units of 2^-80 in a coordinate in two words, of itself.
 const LOST: u16 = 16;
@@ -92,7 +92,7 @@ pub(super) fn unit([x, y]: [&Vec64; 2], is_along: bool, inverse: f64) -> Option<
 fn by_integers(a: &[Double; 3], is_along: bool) -> Option<Vec64> {
     let mut coordinates = [None; 3];
     for (to, x) in coordinates.iter_mut().zip(a).filter(|(_, x)| x.high != 0.0) {
-        *to = Some((compare(x.high, 0.0), Soft::of_double(*x)?));
+        *to = Some((compare(x.high, 0.0), x.in_soft()?));
     }
     let (length, _) = length(&coordinates)?;
     let ratios = coordinates.each(|coordinate| coordinate.map(|(_, size)| size.over(length)));

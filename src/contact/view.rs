@@ -5,7 +5,7 @@
 //! the corners of its part, and therefore lies on that part even if its coordinates across the
 //! normal have an error.
 
-use super::answer::Part;
+use super::answer::{MOST, Part};
 use super::body::{Vec64, cross, dot};
 use super::sides::Unit;
 use crate::arithmetic::{
@@ -198,9 +198,6 @@ pub(super) fn distance(a: &Corner, b: &Corner) -> f64 {
     let [x, y] = flat(&a.flat, &b.flat);
     x * x + y * y
 }
-
-/// The intersection of two convex quadrilaterals has at most this many corners.
-pub(super) const MOST: usize = 8;
 
 /// A pair of points in floats from an origin: on the reference face, on the incident face.
 #[derive(Clone, Copy)]

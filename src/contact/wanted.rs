@@ -3,8 +3,9 @@
 use super::body::Body;
 use super::cut::{Cut, Measured, places_beyond};
 use super::directions::{Apart, Direction, all, sides_of_all};
-use super::filter::{Filter, Measure, Ruler};
+use super::filter::{Filter, Ruler};
 use super::lanes::Lanes;
+use super::lanes::Measure;
 use super::rows;
 use crate::arithmetic::{Each, OfFour, REGISTERS_ARE_WIDE, least as smaller, two};
 use crate::scalar::Scalar;

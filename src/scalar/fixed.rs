@@ -4,6 +4,7 @@ use super::{Backend, FixedBackend, Scalar};
 use crate::arithmetic::{
     Embeds, Filtered, InRaw, InWholeWord, Int8, Int16, Int32, Int64, OfFour, Parts, Quad,
     REGISTERS_ARE_WIDE, RoundedOps, SMALL_CODE, ShortFloat, ShortWindow, Soft, WholeWord, Window,
+    quotient_of_sums,
 };
 use crate::robust::{
     Numeric, Predicate, Stage, Sum, WordKernel, exact_stage, in_quads, integer_stage, note,
@@ -39,7 +40,7 @@ macro_rules! scalar {
             type SeptumSum = Sum<$limbs>;
 
             fn quotient(num: &Self::SeptumSum, den: &Self::SeptumSum) -> Self {
-                Self::clamped(num.quotient(den, Self::FRAC_NBITS))
+                Self::clamped(quotient_of_sums(num, den, Self::FRAC_NBITS))
             }
             #[inline(always)]
             fn at_most(x: Soft) -> Self {

@@ -1,5 +1,5 @@
-use super::{Double, ROOT_ROUNDOFFS, Slack, Soft, root, whole};
-use crate::arithmetic::Each;
+use super::{ROOT_ROUNDOFFS, Slack, Soft, root, whole};
+use crate::arithmetic::{Double, Each};
 use crate::random::Random;
 
 #[test]
@@ -49,9 +49,9 @@ fn exact_numbers_in_two_words_have_the_bits_of_whole_numbers() {
         let whole = (i128::from(a) << 12) - i128::from(b);
         let size = whole.unsigned_abs();
         let expected = Soft::of_limbs(&[size as u64, (size >> 64) as u64]);
-        assert_eq!(Soft::of_double(x), expected, "{a} {b}");
+        assert_eq!(x.in_soft(), expected, "{a} {b}");
         let fine = Double { high: x.high, low: x.low + x.high * 2_f64.powi(-70) };
-        held += u32::from(Soft::of_double(fine).is_some());
+        held += u32::from(fine.in_soft().is_some());
     }
     assert!(held < 5_000, "{held}");
 }
@@ -179,7 +179,7 @@ fn leading_digits_are_those_of_whole_numbers() {
         let size = whole.unsigned_abs();
         let x = Double::difference(a as f64 * 1_048_576.0, b as f64);
         for error in [0.0, 1e-6 * (a as f64), 1.0, a as f64] {
-            let Some(found) = Soft::leading(x, error) else { continue };
+            let Some(found) = x.leading(error) else { continue };
             let off = error.min(size as f64) as u128;
             let bits = |x: Soft| (x.exponent, x.mantissa);
             for near in [size, size - off, size + off] {
@@ -191,5 +191,5 @@ fn leading_digits_are_those_of_whole_numbers() {
     }
     assert!(known > 5_000, "{known}");
     let near_zero = Double { high: f64::MIN_POSITIVE, low: 0.0 };
-    assert_eq!([Double::ZERO, near_zero].each(|x| Soft::leading(x, 0.0)), [None; 2]);
+    assert_eq!([Double::ZERO, near_zero].each(|x| x.leading(0.0)), [None; 2]);
 }

@@ -3,11 +3,12 @@
 
 use core::ops::{Add, Shl};
 
-use super::word::{WholeWord, Word};
-use super::{ProductSum, SplitSum};
+use super::product_sum::SplitSum;
+use super::word::{ProductSum, RawOffset, WholeWord, Word};
+use crate::arithmetic::platform::HAS_LONG_PRODUCTS;
 
 macro_rules! word {
-    ($($word:ident, $sum:ty: $range:literal, $split:literal;)*) => {$(
+    ($($word:ident, $sum:ty: $range:expr, $split:literal;)*) => {$(
         impl Word for $word {
             type Sum = $sum;
 
@@ -41,25 +42,28 @@ macro_rules! word {
     )*};
 }
 
-// ARMv6-M has neither long products nor atomics, and ARMv7-M has both; stable Rust can query only
-// atomics. RISC-V has long products if it has a multiplication. With 64-bit registers there is no
-// choice, except in tests of the other path.
-#[cfg(any(
-    all(target_arch = "arm", target_has_atomic = "32"),
-    all(target_arch = "riscv32", target_feature = "m"),
-    all(any(target_pointer_width = "64", target_arch = "wasm32"), not(septum_narrow)),
-))]
-word! { i32, i64: 29, 10; }
-#[cfg(not(any(
-    all(target_arch = "arm", target_has_atomic = "32"),
-    all(target_arch = "riscv32", target_feature = "m"),
-    all(any(target_pointer_width = "64", target_arch = "wasm32"), not(septum_narrow)),
-)))]
-word! { i32, SplitSum<i32>: 18, 10; }
 word! {
     i16, i32: 6, 5;
+    i32, <Products<HAS_LONG_PRODUCTS> as OfWords>::Sum: if HAS_LONG_PRODUCTS { 29 } else { 18 }, 10;
     i64, SplitSum<i64>: 34, 20;
     i128, SplitSum<i128>: 66, 40;
+}
+
+/// The products of a machine: whether they are long.
+pub struct Products<const ARE_LONG: bool>;
+
+/// The sum of products of words on such a machine.
+pub trait OfWords {
+    /// That sum.
+    type Sum;
+}
+
+impl OfWords for Products<true> {
+    type Sum = i64;
+}
+
+impl OfWords for Products<false> {
+    type Sum = SplitSum<i32>;
 }
 
 impl WholeWord for i16 {
@@ -171,4 +175,42 @@ impl ProductSum<i32> for i64 {
     {
         (T::from(upper) << i32::BITS) + T::from(lower)
     }
+}
+
+impl RawOffset for i32 {
+    const OFFSET_LIMIT: i32 = 1 << 29;
+    const OUTSIDE: i32 = !(2 * Self::OFFSET_LIMIT - 1);
+
+    #[inline(always)]
+    fn below_unit(unit: f32) -> i32 {
+        (unit as i32 - 1).max(0)
+    }
+    #[inline(always)]
+    fn in_offset(self) -> f32 {
+        self as f32
+    }
+}
+
+impl RawOffset for i64 {
+    // Below 2^51, adding two numbers converts a whole vector to `f64`; the processor's conversion
+    // takes one number at a time.
+    const OFFSET_LIMIT: i64 = 1 << 49;
+    const OUTSIDE: i64 = !(2 * Self::OFFSET_LIMIT - 1);
+
+    #[inline(always)]
+    fn below_unit(unit: f32) -> i64 {
+        ((unit * (1_u32 << 24) as f32) as i64 - 1).max(0)
+    }
+    #[inline(always)]
+    fn in_offset(self) -> f32 {
+        in_double(self) as f32
+    }
+}
+
+/// A number below 2^51 in magnitude, divided by 2^24.
+#[inline(always)]
+fn in_double(x: i64) -> f64 {
+    // 1.5·2^52 over 2^24: the last place is 2^-24.
+    const SHIFTER: f64 = (3_u64 << (51 - 24)) as f64;
+    f64::from_bits(SHIFTER.to_bits().wrapping_add(x as u64)) - SHIFTER
 }

@@ -6,7 +6,7 @@ mod product_sum;
 mod word;
 
 pub use places::WholeVolume;
-pub use product_sum::ProductSum;
-pub(crate) use product_sum::{SplitSum, cross_words, dot_words, first_sign};
-pub use word::{InRaw, InWholeWord, InWord, Raw, WholeWord, Word};
-pub(crate) use word::{out_of_line, out_of_line_if_wide, part};
+#[cfg(test)]
+pub(crate) use product_sum::SplitSum;
+pub(crate) use product_sum::{cross_words, dot_words, first_sign};
+pub use word::{InRaw, InWholeWord, InWord, ProductSum, Raw, RawOffset, WholeWord, Word};

@@ -4,6 +4,7 @@
 use core::cmp::Ordering;
 use core::ops::{Add, Shl};
 
+<<<<<<< HEAD
 use super::word::{WholeWord, Word, out_of_line_if_wide};
 
 /// A sum of products of two lengths: see the table at [`Word`].
@@ -46,6 +47,10 @@ pub trait ProductSum<W>: Copy {
     where
         T: From<Self::Part> + Add<Output = T> + Shl<u32, Output = T>;
 }
+=======
+use super::word::{ProductSum, WholeWord, Word};
+use crate::arithmetic::out_of_line_if_wide;
+>>>>>>> 2aef272 (arithmetic, contact: files import each other one way)
 
 // Out of line, because small code is more important than a call where words are used.
 

@@ -4,10 +4,7 @@ use core::cmp::Ordering;
 use core::fmt::Debug;
 use core::ops::{Add, BitAnd, BitOr, BitXor, Mul, Not, Shl, Shr, Sub};
 
-use super::WholeVolume;
-use super::product_sum::ProductSum;
-use crate::arithmetic::REGISTERS_ARE_WIDE;
-use crate::arithmetic::offset::RawOffset;
+use super::places::WholeVolume;
 
 /// A signed machine word in which a kernel stores lengths.
 ///
@@ -102,6 +99,44 @@ pub trait Word:
     fn nearest_over(self, down: i32) -> i32;
 }
 
+/// A sum of products of two lengths: see the table at [`Word`](super::Word).
+pub trait ProductSum<W>: Copy {
+    /// Whether one multiplication gives a whole product.
+    const IS_WHOLE: bool;
+
+    /// a·b + c·d.
+    fn new(a: W, b: W, c: W, d: W) -> Self;
+
+    /// The sum with one more product, a·b.
+    fn with_product(self, a: W, b: W) -> Self;
+
+    /// A word that is negative exactly if the area is.
+    fn sign(self) -> W;
+
+    /// The sum over 2^[`SPLIT`](super::Word::SPLIT), rounded down, if a word holds it.
+    fn scaled(self) -> W;
+
+    /// [`scaled`](Self::scaled) over 2^`places`, rounded down.
+    fn scaled_by(self, places: u32) -> W;
+
+    /// A sum of products of an area and a length.
+    type Volume: Copy;
+    /// The area times one.
+    fn volume(self) -> Self::Volume;
+    /// The empty sum.
+    const ZERO: Self::Volume;
+    /// The sum with one more product.
+    fn sum(volume: Self::Volume, area: Self, length: W) -> Self::Volume;
+    /// Whether the sum is negative.
+    fn is_negative(volume: Self::Volume) -> bool;
+    /// The type of the parts of a sum.
+    type Part;
+    /// The sum as one number, for a `T` that can hold it.
+    fn whole<T>(volume: Self::Volume) -> T
+    where
+        T: From<Self::Part> + Add<Output = T> + Shl<u32, Output = T>;
+}
+
 /// A word with a wider type for whole sums of products of three lengths.
 ///
 /// With lengths up to 2^R, SPLIT as in [`Word`], and an unsplit operand of an area up to 2^(R+1),
@@ -172,27 +207,19 @@ pub trait InWord<W: Word> {
     fn in_word(self) -> W;
 }
 
-/// Calls `f` out of line.
-#[inline(never)]
-pub(crate) fn out_of_line<T>(f: impl FnOnce() -> T) -> T {
-    f()
-}
+/// A word of raw bits, and the number of last places in a unit.
+pub trait RawOffset: Sized {
+    /// The limit of coordinates.
+    const OFFSET_LIMIT: Self;
+    /// The bits that a coordinate plus the limit has only outside of the limit.
+    const OUTSIDE: Self;
 
-/// A part of a kernel. With narrow registers it is a call: most operations are calls there, and one
-/// copy of each part suffices.
-#[inline(always)]
-pub(crate) fn part<T>(f: impl FnOnce() -> T) -> T {
-    if REGISTERS_ARE_WIDE { f() } else { out_of_line(f) }
-}
+    /// A mask for the places below a unit.
+    fn below_unit(unit: f32) -> Self;
 
-/// The expression, and in wide words a call of it, so that there is one copy. A closure alone does
-/// not suffice: used twice, it is not inlined for narrow words either.
-macro_rules! out_of_line_if_wide {
-    ($word:ident, $value:expr) => {
-        if $word::IS_WIDE { $crate::arithmetic::out_of_line(move || $value) } else { $value }
-    };
+    /// The difference in units.
+    fn in_offset(self) -> f32;
 }
-pub(crate) use out_of_line_if_wide;
 
 /// The raw bits of a fixed-point number, in a word.
 pub trait Raw: Word + Into<i64> + RawOffset {

@@ -152,8 +152,8 @@ where
             let middle = Double { high: sign * middle.high, low: sign * middle.low };
             let is_near = lane == 0;
             let num = middle.loose_sum(if is_near { reach.negated() } else { reach }).apart();
-            let [least_num, most_num] = Soft::leading(num, face)?;
-            let [least_den, most_den] = Soft::leading(den, direction)?;
+            let [least_num, most_num] = num.leading(face)?;
+            let [least_den, most_den] = den.leading(direction)?;
             let quotient = |num: Soft, den: Soft| {
                 let (whole, exponent) = num.quotient(den);
                 f64::scaled(whole, exponent)
