@@ -39,7 +39,6 @@
 
 use crate::arithmetic::{Each, InRaw, Raw, Word, greatest, out_of_line, three, turn};
 use crate::query::relation::Relation;
-use crate::query::triangle_obb::size;
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Obb, Ray, Segment, SegmentForm, Vec3};
 
@@ -75,6 +74,16 @@ pub(super) fn bits<const K: usize>(numbers: &[[i64; 3]; K]) -> i32 {
 #[inline(always)]
 pub(super) fn raw<S: InRaw>(v: &Vec3<S>) -> [i64; 3] {
     [v.x.raw().into(), v.y.raw().into(), v.z.raw().into()]
+}
+
+/// A number at least as great as each of the numbers, and less than twice the greatest.
+#[inline(always)]
+pub(super) fn size<W: Word, const K: usize>(x: &[[W; 3]; K]) -> W {
+    let mut size = W::ZERO;
+    for x in x {
+        size = size | x[0].folded() | x[1].folded() | x[2].folded();
+    }
+    size
 }
 
 /// A sum of up to four raw vectors over two to the `halved`, for the components that `of` returns.

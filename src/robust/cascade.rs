@@ -4,9 +4,8 @@
 //! Only the first stage is inlined, so that the common path stays small. Unit tests count how often
 //! a cascade escalates.
 
-use super::predicate::{Clue, Numeric, Predicate};
+use super::predicate::{Backend, Clue, Numeric, Predicate};
 use crate::arithmetic::{Embeds, Filtered, Float, InFloat, REGISTERS_ARE_WIDE};
-use crate::scalar::Backend;
 
 /// The first stage for questions whose answer is a number.
 #[inline(always)]

@@ -49,6 +49,7 @@
 //! exact integers, in which n is exact, zero included. There is no third case.
 
 mod cascade;
+mod determinant;
 mod exact_sum;
 mod predicate;
 mod uncertain;
@@ -61,11 +62,12 @@ pub(crate) use cascade::{
 };
 #[cfg(feature = "fixed")]
 pub(crate) use cascade::{only_stage, stage};
-pub use exact_sum::ExactSum;
-pub(crate) use exact_sum::{
-    Linear, Sum, Vector, add_area, add_determinant, add_minor, along_axis, difference, differences,
+pub(crate) use determinant::{
+    Linear, Vector, add_area, add_determinant, add_minor, along_axis, difference, differences,
     minor_sign, side, sign, single, singles,
 };
-pub(crate) use predicate::in_exact_numbers;
-pub use predicate::{Clue, Numeric, Predicate, Profile, WordKernel};
+pub use exact_sum::ExactSum;
+pub(crate) use exact_sum::Sum;
+pub(crate) use predicate::{Backend, FixedBackend, in_exact_numbers};
+pub use predicate::{Clue, FloatFormat, Numeric, Predicate, Profile, WordKernel};
 pub(crate) use uncertain::{Uncertain, certain_sign};

@@ -47,7 +47,8 @@ struct Step {
 /// Counts on all cores, writes the table, and draws.
 pub fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     let wanted = |r: &Regime| options.only.as_ref().is_none_or(|name| r.stem == name);
-    let mut regimes: Vec<Regime> = regimes::all().into_iter().filter(wanted).collect();
+    let all = regimes::all().into_iter().chain(distances::all());
+    let mut regimes: Vec<Regime> = all.filter(wanted).collect();
     let exams: Vec<Exam<Step>> = regimes.iter_mut().flat_map(|r| r.exams.split_off(0)).collect();
     let tallies = examine(&exams, options.cases as usize);
     let steps: Vec<Step> = exams.iter().map(|exam| exam.label).collect();

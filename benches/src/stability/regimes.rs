@@ -10,7 +10,7 @@ use septum_kit::rays::RayCase;
 use septum_kit::sweeps::SweepCase;
 use septum_kit::{Case, Rng, Sample};
 
-use super::{Step, boxes, contacts as sunk, distances, rays, sweeps as ways};
+use super::{Step, boxes, contacts as sunk, rays, sweeps as ways};
 
 /// The format of the varying quantity on the axis.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -294,5 +294,5 @@ pub(super) fn all() -> Vec<Regime> {
     .boxes(BOX_WIDE, "I32F32", boxes::bits::<I32F32>)
     .rays(RAY, "I16F16", rays::bits::<I16F16>)
     .rays(RAY_WIDE, "I32F32", rays::bits::<I32F32>);
-    in_floats_and_fixed.into_iter().chain([bits]).chain(distances::all()).collect()
+    in_floats_and_fixed.into_iter().chain([bits]).collect()
 }

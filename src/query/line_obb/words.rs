@@ -7,8 +7,8 @@
 
 use super::{Disjoint, Line};
 use crate::arithmetic::{InRaw, Raw, Word, greatest, three};
-use crate::query::obb_short::ends;
-use crate::query::triangle_obb::{EXACT, Known, Size, are_disjoint, raw, size};
+use crate::query::obb_short::{ends, size};
+use crate::query::triangle_obb::{EXACT, Known, Size, are_disjoint, raw};
 use crate::scalar::Scalar;
 use crate::shape::{Ray, SegmentForm, Vec3};
 

@@ -1,7 +1,7 @@
 //! A box that moves past another. Each slab bounds the motion as it does a line, and the slab's
 //! ends are sums of up to four numbers.
 
-use super::time::Latest;
+use super::latest::Latest;
 use super::{FirstContact, Motion, Sweep};
 use crate::arithmetic::{Embeds, Number};
 use crate::query::Axis;

@@ -4,7 +4,7 @@
 use core::cmp::Ordering;
 
 use super::FirstContact;
-use super::time::Latest;
+use super::latest::Latest;
 use crate::arithmetic::{Each, Number, Parts, pick, three, turn};
 use crate::query::Axis;
 use crate::query::triangle_aabb::exact::{ExactAabb, ExactTriangle};

@@ -5,7 +5,7 @@
 
 use super::error_bound::{LONG, at_start};
 use super::kernel::Course;
-use super::time::Closing;
+use super::latest::Closing;
 use super::{FirstContact, Given, Last, Passing};
 use crate::arithmetic::{Double, Each, Embeds, Filtered, Number, Soft, dot, exp2, turn};
 use crate::query::Axis;

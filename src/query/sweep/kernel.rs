@@ -17,7 +17,7 @@
 
 use super::FirstContact;
 use super::error_bound::{Along, AtStart, FACE, along, at_start};
-use super::time::{Closing, Latest};
+use super::latest::{Closing, Latest};
 use crate::arithmetic::{
     Arithmetic, Each, Embeds, Number, cross, dot, following, greatest, least, of_two, once,
     out_of_line, pick,

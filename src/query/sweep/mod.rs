@@ -6,6 +6,7 @@ mod exact;
 mod in_doubles;
 mod instants;
 mod kernel;
+mod latest;
 mod motion;
 #[cfg(feature = "fixed")]
 mod near;
@@ -22,8 +23,8 @@ pub use motion::Motion;
 pub use near::Moving;
 pub use sphere::SphereContact;
 
+use self::latest::{Instant, Last};
 use self::passing::{Given, Passing};
-use self::time::{Instant, Last};
 use super::axis::negated;
 use super::relation::Relation;
 use super::{Axis, HasAxes};

@@ -2,7 +2,8 @@
 
 use super::exact::ExactCourse;
 use super::kernel::Course;
-use super::time::{Instant, Meets, When};
+use super::latest::Instant;
+use super::time::{Meets, When};
 use super::{FirstContact, Motion, rows, words};
 use crate::arithmetic::{
     Arithmetic, Embeds, Float, InFloat, InWord, Number, REGISTERS_ARE_WIDE, Word,

@@ -14,6 +14,7 @@ pub(super) mod exact;
 pub(super) mod frame;
 pub(super) mod kernel;
 mod offsets;
+mod pair;
 mod prepared;
 mod relation;
 pub(super) mod rows;
@@ -80,7 +81,7 @@ impl<S: Scalar> Predicate<S> for Disjoint<'_, S> {
     where
         S: InFloat<F>,
     {
-        rows::pair::<S, F>(self.triangle, self.aabb)
+        pair::pair::<S, F>(self.triangle, self.aabb)
     }
 
     /// Fixed point of 64 bits is cut to 18 if it may be. Else there are words on narrow registers.

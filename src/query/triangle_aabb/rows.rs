@@ -10,10 +10,8 @@ use crate::arithmetic::{Filtered, Float, InFloat, Number, Quad, THREE, greatest}
 use crate::scalar::Scalar;
 use crate::shape::{Triangle, Vec3};
 
-mod pair;
 mod rounded;
 
-pub(super) use pair::pair;
 pub(super) use rounded::disjoint as disjoint_rounded;
 
 /// The values of a triangle that are the same for every box.

@@ -28,8 +28,9 @@ use core::cmp::Ordering;
 use core::marker::PhantomData;
 
 use super::exact::{ExactParallelepiped, InWords, Signs, Term};
-use super::prepared::{cross, product, size};
+use super::known::{cross, product};
 use crate::arithmetic::{ProductSum, WholeWord, Word, pick, turn};
+use crate::query::obb_short::size;
 use crate::query::relation::Reading;
 
 /// The bits of a cut number, without its sign.

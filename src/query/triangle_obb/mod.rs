@@ -12,6 +12,7 @@ mod cut;
 mod error_bound;
 mod exact;
 mod kernel;
+mod known;
 mod prepared;
 mod relation;
 mod short;
@@ -35,7 +36,7 @@ pub(super) use self::error_bound::error_bound;
 pub(super) use self::kernel::{lie_along_one_axis, operands, way};
 pub use self::prepared::PreparedObb;
 pub(super) use self::short::{EXACT, are_disjoint};
-pub(super) use prepared::{Known, Size, raw, size};
+pub(super) use known::{Known, Size, raw};
 
 /// Are the triangle and the oriented box disjoint?
 struct Disjoint<'a, S> {

@@ -46,8 +46,9 @@
 //! below 2^8, so the kernel's lengths are below 2^18.
 
 use super::Disjoint;
-use super::prepared::{AXIS, Known, Sum, cut_axes, product, raw, size};
+use super::known::{AXIS, Known, Sum, cut_axes, product, raw};
 use crate::arithmetic::{InRaw, ProductSum, Raw, Word, greatest};
+use crate::query::obb_short::size;
 use crate::query::one_sided::{Projection, one_sided};
 use crate::scalar::Scalar;
 use crate::shape::Obb;

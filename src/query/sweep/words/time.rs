@@ -10,7 +10,7 @@ use crate::arithmetic::{
 use crate::query::Axis;
 use crate::query::one_sided::{Closed, beyond_edge, beyond_plane, normals};
 use crate::query::sweep::FirstContact;
-use crate::query::sweep::time::Latest;
+use crate::query::sweep::latest::Latest;
 use crate::scalar::Scalar;
 
 impl<S: Scalar> Passing<'_, S> {

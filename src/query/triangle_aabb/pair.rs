@@ -1,10 +1,10 @@
 //! A pair in floats: the first look, in registers, and out of line what that leaves in doubt: which
 //! axes may separate, and whether rounding has any part in it.
 
-use super::{Clear, Doubt, Edge, InFrame, Rows, largest, row};
+use super::error_bound::error_bound;
+use super::offsets::{self, ForOffsets};
+use super::rows::{Clear, Doubt, Edge, InFrame, Rows, largest, row};
 use crate::arithmetic::{Filtered, Float, InFloat, Number, Quad, THREE, two_difference};
-use crate::query::triangle_aabb::error_bound::error_bound;
-use crate::query::triangle_aabb::offsets::{self, ForOffsets};
 use crate::robust::{Stage, Uncertain, note};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Triangle, Vec3};
