@@ -9,7 +9,7 @@ use super::places::WholeVolume;
 /// A signed machine word in which a kernel stores lengths.
 ///
 /// Lengths are measured from the least corner of the box. With lengths up to 2^R, the range, and S
-/// for SPLIT, where [`SplitSum`](super::SplitSum) cuts a word in two,
+/// for SPLIT, where [`SplitSum`](super::product_sum::SplitSum) cuts a word in two,
 ///
 /// | quantity | magnitude | `i32` | `i64` | `i128` |
 /// | --- | --- | --- | --- | --- |
@@ -99,7 +99,7 @@ pub trait Word:
     fn nearest_over(self, down: i32) -> i32;
 }
 
-/// A sum of products of two lengths: see the table at [`Word`](super::Word).
+/// A sum of products of two lengths: see the table at [`Word`].
 pub trait ProductSum<W>: Copy {
     /// Whether one multiplication gives a whole product.
     const IS_WHOLE: bool;
