@@ -114,7 +114,10 @@ pub trait ProductSum<W>: Copy {
     fn sign(self) -> W;
 
     /// The sum over 2^[`SPLIT`](super::Word::SPLIT), rounded down, if a word holds it.
-    fn scaled(self) -> W;
+    #[inline(always)]
+    fn scaled(self) -> W {
+        self.scaled_by(0)
+    }
 
     /// [`scaled`](Self::scaled) over 2^`places`, rounded down.
     fn scaled_by(self, places: u32) -> W;
