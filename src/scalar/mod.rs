@@ -1,4 +1,4 @@
-//! The public trait `Scalar`, its sealed back end, and for each type its constants and its cascade.
+//! The public trait `Scalar`, and for each type its constants and its cascade.
 
 pub(crate) mod axes;
 #[cfg(feature = "fixed")]
