@@ -59,6 +59,7 @@
 //! | triangle, axis-aligned box | fixed point, `f32` | `overlaps`, `may_overlap`; in fixed point [`relation`](crate::relation::Relate) |
 //! | ray, axis-aligned box | fixed point | `overlaps`, in integers of 64 bits |
 //! | segment, axis-aligned box | fixed point | `overlaps`, in integers of 64 bits |
+//! | ray, oriented box | fixed point | `overlaps` |
 //! | segment, oriented box | fixed point | `overlaps` |
 //! | triangle and axis-aligned box, one of them moving (`Moving`) | fixed point | `meets`, `first_contact` |
 //! | triangle, oriented box | fixed point | `overlaps`, `may_overlap` |
@@ -66,8 +67,8 @@
 //! | mesh, ray | fixed point | `first_hit`, `first_hit_where`, `is_hit`, `is_hit_with`, `hits_with` of its tree |
 //! | triangle, sphere or capsule | fixed point | `overlaps`, in integers of up to 128 bits |
 //!
-//! The answers are bit for bit the answers of the ordinary shapes, except that `may_overlap` of a segment and
-//! an oriented box is exact.
+//! The answers are bit for bit the answers of the ordinary shapes, except that `may_overlap` of a ray or a
+//! segment and an oriented box is exact.
 
 #[cfg(feature = "fixed")]
 pub use crate::query::Moving;
@@ -131,7 +132,7 @@ mod floats {
 
 #[cfg(all(test, feature = "fixed"))]
 mod tests {
-    use crate::arithmetic::Each;
+    use crate::arithmetic::{Each, three};
     use fixed::types::I16F16;
 
     use crate::relation::{Relate, Relation};
@@ -186,6 +187,21 @@ mod tests {
         assert!(capsule(MOST + 1, 0).is_err() && capsule(0, WIDEST + 1).is_err());
     }
 
+    /// The ray with ranges of every kind.
+    fn ranged(
+        ray: Ray<I16F16>,
+        [from, to]: [I16F16; 2],
+        far: I16F16,
+    ) -> impl Iterator<Item = Ray<I16F16>> {
+        let rays = [
+            Ok(ray),
+            ray.with_range(from, far),
+            ray.with_range(None, from),
+            ray.with_range(I16F16::MIN, I16F16::MIN + to.saturating_abs()),
+        ];
+        rays.into_iter().flatten()
+    }
+
     /// Compares with the kernels for shapes anywhere, which are different code on 64-bit machines.
     /// The cases are shapes that reach the limit, and shapes in contact.
     #[test]
@@ -195,7 +211,7 @@ mod tests {
             seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
             ((u64::from(seed) * u64::from(n)) >> 32) as i32
         };
-        let mut yes = [0; 10];
+        let mut yes = [0; 11];
         for case in 0..20_000 {
             let mut number = |most: i32| match case % 3 {
                 0 => below(2 * most as u32) - most,
@@ -234,13 +250,7 @@ mod tests {
                 if let Ok(ray) = Ray::new(point(MOST), point(LONGEST)) {
                     let [from, to] = [point(MOST)[0], point(MOST)[0]];
                     let far = if case % 5 == 0 { I16F16::MAX } else { to.max(from) };
-                    for ray in [
-                        Some(ray),
-                        ray.with_range(from, far).ok(),
-                        ray.with_range(None, from).ok(),
-                        ray.with_range(I16F16::MIN, I16F16::MIN + to.saturating_abs()).ok(),
-                    ] {
-                        let Some(ray) = ray else { continue };
+                    for ray in ranged(ray, [from, to], far) {
                         let near = ray.near().unwrap();
                         assert_eq!(near.overlaps(&close), ray.overlaps(&aabb), "{ray:?} {aabb:?}");
                         assert_eq!(close.overlaps(&near), ray.overlaps(&aabb));
@@ -266,6 +276,15 @@ mod tests {
                 assert_eq!(close.overlaps(&near), triangle.overlaps(&obb));
                 assert_eq!(close.may_overlap(&near), obb.may_overlap(&triangle));
                 yes[3] += u32::from(triangle.overlaps(&obb));
+                let (from, d) = (point(MOST), point(LONGEST));
+                let d = if case % 2 == 0 { d } else { three(|i| p[i] - q[i]) };
+                let rays = Ray::new(q, d).map(|ray| ranged(ray, [from[0], from[1]], from[2]));
+                for ray in rays.into_iter().flatten() {
+                    let near = ray.near().unwrap();
+                    assert_eq!(near.overlaps(&close), ray.overlaps(&obb), "{ray:?} {obb:?}");
+                    assert_eq!(close.may_overlap(&near), ray.overlaps(&obb));
+                    yes[10] += u32::from(ray.overlaps(&obb));
+                }
                 let by = q.each(|x| x >> 2);
                 for segment in [
                     Segment::new(q, point(MOST)).unwrap(),

@@ -1,64 +1,94 @@
-//! The last stage of a line and an oriented box: exact sums of products of the given numbers. The
-//! axes are the kernel's; each term has four factors.
+//! The last stage of a line and an oriented box: exact sums of products of the given numbers, in words
+//! for a ray near the origin. The axes are the kernel's; each term has four factors.
 
 use core::cmp::Ordering;
-use core::marker::PhantomData;
 
 use super::faces::Signs;
 use crate::arithmetic::{Each, Parts, pick, three, turn};
+use crate::query::triangle_obb::exact::{Factors, InSums, Term, signed};
 use crate::robust::{ExactSum, Vector, add_determinant, singles};
 use crate::scalar::Scalar;
 use crate::shape::Obb;
 
-/// A part of a line and a parallelepiped in exact parts.
-pub(super) struct ExactLine<S> {
+/// A part of a line and a parallelepiped.
+pub(super) struct ExactLine<N: Factors> {
     /// The vector from the box's centre to the origin.
-    m: Vector,
-    d: Vector,
-    ends: [Option<Parts>; 2],
-    u: [Vector; 3],
-    h: [Parts; 3],
+    m: N::Vector,
+    d: N::Vector,
+    ends: [Option<N::Factor>; 2],
+    u: [N::Vector; 3],
+    h: [N::Factor; 3],
+    one: N::Factor,
     /// The signs of w_i·d, and of u_0·w_0.
     along: [Ordering; 3],
     volume: Ordering,
-    scalar: PhantomData<S>,
 }
 
-/// A factor times the determinant of three vectors.
-struct Term<'a>(Parts, [&'a Vector; 3]);
-
-fn sum<S: Scalar>(terms: &[Term<'_>]) -> S::SeptumSum {
+fn sum<S: Scalar>(terms: &[Term<'_, InSums<S>>]) -> S::SeptumSum {
     let mut sum = S::SeptumSum::new();
-    for Term(factor, vectors) in terms {
-        add_determinant(&mut sum, *vectors, Some(*factor));
+    for Term(factor, a, b, c) in terms {
+        add_determinant(&mut sum, [a, b, c], Some(*factor));
     }
     sum
 }
 
-fn signed(x: Parts, minus: bool) -> Parts {
-    if minus { x.negated() } else { x }
+impl<S: Scalar> ExactLine<InSums<S>> {
+    pub(super) fn of(obb: &Obb<S>, m: Vector, d: Vector, ends: [Option<Parts>; 2]) -> Self {
+        let u = obb.axes_as_arrays().each(singles);
+        Self::new(m, d, ends, u, obb.half_extents().to_array().each(S::parts), S::ONE)
+    }
+
+    /// Where the line enters slab `i` and where it leaves it, rounded to the nearest; `None` if it
+    /// runs parallel to the slab.
+    pub(super) fn crossing(&self, i: usize) -> Option<(S, S)> {
+        if pick(&self.along, i).is_eq() {
+            return None;
+        }
+        let falls = self.is_below(i);
+        let den = sum(&[self.along(i, &self.d, S::ONE, falls)]);
+        let at = |is_near: bool| {
+            let face =
+                self.volume(signed::<InSums<S>>(*pick(&self.h, i), self.volume.is_lt() != is_near));
+            let num = sum(&[self.along(i, &self.m, S::ONE, !falls), face]);
+            S::quotient(&num, &den)
+        };
+        Some((at(true), at(false)))
+    }
 }
 
-impl<S: Scalar> ExactLine<S> {
-    pub(super) fn new(obb: &Obb<S>, m: Vector, d: Vector, ends: [Option<Parts>; 2]) -> Self {
-        let u = obb.axes_as_arrays().each(singles);
-        let (h, none) = (obb.half_extents().to_array().each(S::parts), Ordering::Equal);
-        let line = Self { m, d, ends, u, h, along: [none; 3], volume: none, scalar: PhantomData };
-        let along = three(|i| sum::<S>(&[line.along(i, &line.d, S::ONE)]).sign());
-        let volume = sum::<S>(&[line.volume(S::ONE)]).sign();
+impl<N: Factors> ExactLine<N> {
+    pub(super) fn new(
+        m: N::Vector,
+        d: N::Vector,
+        ends: [Option<N::Factor>; 2],
+        u: [N::Vector; 3],
+        h: [N::Factor; 3],
+        one: N::Factor,
+    ) -> Self {
+        let none = Ordering::Equal;
+        let line = Self { m, d, ends, u, h, one, along: [none; 3], volume: none };
+        let along = three(|i| N::sign(&[line.along(i, &line.d, one, false)]));
+        let volume = N::sign(&[line.volume(one)]);
         Self { along, volume, ..line }
     }
 
-    /// w_i·x as a term.
-    fn along<'a>(&'a self, i: usize, x: &'a Vector, factor: Parts) -> Term<'a> {
+    /// w_i·x as a term, or its negative: not by the factor, which may be the least number of its type.
+    fn along<'a>(
+        &'a self,
+        i: usize,
+        x: &'a N::Vector,
+        factor: N::Factor,
+        minus: bool,
+    ) -> Term<'a, N> {
         let (_, j, k) = turn(i);
-        Term(factor, [pick(&self.u, j), pick(&self.u, k), x])
+        let (j, k) = if minus { (k, j) } else { (j, k) };
+        Term(factor, pick(&self.u, j), pick(&self.u, k), x)
     }
 
     /// u_0·w_0 as a term.
-    fn volume(&self, factor: Parts) -> Term<'_> {
+    fn volume(&self, factor: N::Factor) -> Term<'_, N> {
         let [a, b, c] = &self.u;
-        Term(factor, [a, b, c])
+        Term(factor, a, b, c)
     }
 
     /// Whether one of the six axes separates.
@@ -78,41 +108,26 @@ impl<S: Scalar> ExactLine<S> {
     /// Whether the whole part lies beyond the box on this side of w_i.
     fn is_beyond(&self, i: usize, side: Ordering) -> bool {
         let (along, minus) = (*pick(&self.along, i), [side.is_lt(), self.volume.is_gt()]);
-        let beyond = |t: Parts| self.is_above(i, t, minus);
+        let beyond = |t: Option<N::Factor>| self.is_above(i, t, minus);
         let [from, to] = self.ends;
-        let first = from.map_or(along != side, beyond);
-        let last = to.map_or(along != side.reverse(), beyond);
-        first && last && (from.is_some() || to.is_some() || beyond(Parts::ZERO))
+        let first = if from.is_some() { beyond(from) } else { along != side };
+        let last = if to.is_some() { beyond(to) } else { along != side.reverse() };
+        first && last && (from.is_some() || to.is_some() || beyond(None))
     }
 
-    /// [`Signs::is_face_above`] at `t`.
-    fn is_above(&self, i: usize, t: Parts, [at, volume]: [bool; 2]) -> bool {
-        let terms = [
-            self.along(i, &self.m, signed(S::ONE, at)),
-            self.along(i, &self.d, signed(t, at)),
-            self.volume(signed(*pick(&self.h, i), volume)),
-        ];
-        sum::<S>(&terms).sign().is_gt()
-    }
-
-    /// Where the line enters slab `i` and where it leaves it, rounded to the nearest; `None` if it
-    /// runs parallel to the slab.
-    pub(super) fn crossing(&self, i: usize) -> Option<(S, S)> {
-        if pick(&self.along, i).is_eq() {
-            return None;
-        }
-        let falls = self.is_below(i);
-        let den = sum::<S>(&[self.along(i, &self.d, signed(S::ONE, falls))]);
-        let at = |is_near: bool| {
-            let face = self.volume(signed(*pick(&self.h, i), self.volume.is_lt() != is_near));
-            let num = sum::<S>(&[self.along(i, &self.m, signed(S::ONE, !falls)), face]);
-            S::quotient(&num, &den)
+    /// [`Signs::is_face_above`] at `t`, or at zero.
+    fn is_above(&self, i: usize, t: Option<N::Factor>, [at, volume]: [bool; 2]) -> bool {
+        let middle = self.along(i, &self.m, self.one, at);
+        let face = self.volume(signed::<N>(*pick(&self.h, i), volume));
+        let sign = match t {
+            Some(t) => N::sign(&[middle, self.along(i, &self.d, t, at), face]),
+            None => N::sign(&[middle, face]),
         };
-        Some((at(true), at(false)))
+        sign.is_gt()
     }
 }
 
-impl<S: Scalar> Signs for ExactLine<S> {
+impl<N: Factors> Signs for ExactLine<N> {
     fn crosses(&self, i: usize) -> Option<bool> {
         Some(pick(&self.along, i).is_ne())
     }
@@ -126,18 +141,18 @@ impl<S: Scalar> Signs for ExactLine<S> {
     }
 
     fn is_line_above(&self, k: usize, [minus, of_j, of_i]: [bool; 3]) -> Option<bool> {
-        let Self { m, d, u, h, .. } = self;
+        let Self { m, d, u, h, one, .. } = self;
         let (k, i, j) = turn(k);
         let terms = [
-            Term(signed(S::ONE, minus), [m, d, pick(u, k)]),
-            self.along(j, d, signed(*pick(h, i), of_j)),
-            self.along(i, d, signed(*pick(h, j), of_i)),
+            Term(signed::<N>(*one, minus), m, d, pick(u, k)),
+            self.along(j, d, *pick(h, i), of_j),
+            self.along(i, d, *pick(h, j), of_i),
         ];
-        Some(sum::<S>(&terms).sign().is_gt())
+        Some(N::sign(&terms).is_gt())
     }
 
     fn is_face_above(&self, i: usize, is_last: bool, minus: [bool; 2]) -> Option<Option<bool>> {
         let t = self.ends[usize::from(is_last)]?;
-        Some(Some(self.is_above(i, t, minus)))
+        Some(Some(self.is_above(i, Some(t), minus)))
     }
 }

@@ -18,11 +18,14 @@ use self::kernel::{Operands, any_axis};
 use self::range::Range;
 use super::Overlaps;
 use super::obb_short;
-use super::triangle_obb::{has_second_look, operands, way};
+use super::triangle_obb::exact::InSums;
 #[cfg(feature = "fixed")]
-use crate::arithmetic::three;
+use super::triangle_obb::exact::InWords;
+use super::triangle_obb::{has_second_look, operands, way};
 use crate::arithmetic::{Each, Embeds, Float, InFloat, Number, Parts};
 use crate::arithmetic::{InRaw, REGISTERS_ARE_WIDE, SMALL_CODE};
+#[cfg(feature = "fixed")]
+use crate::arithmetic::{InWholeWord, three};
 use crate::robust::{Predicate, Profile, Vector, difference, noted, single};
 use crate::scalar::{FixedBackend, Scalar};
 #[cfg(feature = "fixed")]
@@ -59,7 +62,7 @@ impl<S: Scalar> Disjoint<'_, S> {
         }
     }
 
-    fn exactly(&self) -> ExactLine<S> {
+    fn exactly(&self) -> ExactLine<InSums<S>> {
         let [p, q, _] = self.rows().each(|row| row.each(S::parts));
         let c = self.obb.center().to_array().each(S::parts);
         let from = |a: [Parts; 3], b: [Parts; 3]| -> Vector {
@@ -76,7 +79,7 @@ impl<S: Scalar> Disjoint<'_, S> {
                 }
             },
         };
-        ExactLine::new(self.obb, from(p, c), d, ends)
+        ExactLine::of(self.obb, from(p, c), d, ends)
     }
 
     #[cold]
@@ -288,6 +291,56 @@ impl<S: Scalar> Ray<S> {
         }
         let (enter, leave) = S::evaluate_numeric(&Range(Disjoint { line: Line::Ray(self), obb }))?;
         Some(self.clipped(enter, leave))
+    }
+}
+
+#[cfg(feature = "fixed")]
+impl<S: Scalar + InWholeWord<i32>> Disjoint<'_, S> {
+    /// The answer for a ray near the origin.
+    #[cold]
+    #[inline(never)]
+    fn in_whole_words(&self, ray: &Ray<S>) -> bool {
+        // A box is near only if a word of its type can hold one.
+        let Some(one) = S::one() else { return self.exact() };
+        let words = |row: [S; 3]| row.each(S::in_word);
+        let [o, d, _] = self.rows().each(words);
+        let [c, u, v, w, h] = self.obb.numbers().map(words);
+        let ends = [ray.t_min(), ray.t_max()].each(|t| t.map(S::in_word));
+        ExactLine::<InWords<i32>>::new(three(|i| o[i] - c[i]), d, ends, [u, v, w], h, one)
+            .is_separated()
+    }
+}
+
+#[cfg(feature = "fixed")]
+impl<S: Scalar + InRaw + InWholeWord<i32>> Overlaps<Near<Obb<S>>> for Near<Ray<S>> {
+    /// Do a ray and an oriented box near the origin have a point in common?
+    ///
+    /// *Geometry*: the part of the ray within its range of t, whose ends belong to it, and the
+    /// parallelepiped that the numbers of the box describe. *Contact*: touching is overlap.
+    /// *Numerics*: exact for every range of t, in words of 32 bits and sums of their products.
+    /// `may_overlap` is the same here. For shapes anywhere it may be `true` where `overlaps` is
+    /// `false`. *Range*: that of [`near`](crate::near). *Panics*: never. *Cost*: as for a triangle near
+    /// the origin: the ray is one without area. Within rounding of contact whole products decide
+    /// about six axes.
+    ///
+    /// ```
+    /// use fixed::types::I16F16;
+    /// use septum::{Obb, Ray};
+    ///
+    /// let at = |x: i32, y: i32, z: i32| [x, y, z].map(|k| I16F16::from_bits(k << 12));
+    /// let axes = [at(4, 4, 0), at(-4, 4, 0), at(0, 0, 4)];
+    /// let turned = Obb::from_skewed_axes(at(0, 0, 0), axes, at(16, 16, 16))?.near()?;
+    /// let ray = Ray::new(at(8, -9, 0), at(0, 3, 0))?;
+    /// assert!(ray.near()?.overlaps(&turned)); // at an edge, y = 0
+    /// let until = |t: f32| ray.with_range(I16F16::ZERO, I16F16::from_num(t));
+    /// assert!(until(3.0)?.near()?.overlaps(&turned) && !until(2.9)?.near()?.overlaps(&turned));
+    /// # Ok::<(), septum::ShapeError>(())
+    /// ```
+    fn overlaps(&self, obb: &Near<Obb<S>>) -> bool {
+        let question = Disjoint { line: Line::Ray(self.get()), obb: obb.get() };
+        !question
+            .ray_in_short_words(self.get())
+            .unwrap_or_else(|| question.in_whole_words(self.get()))
     }
 }
 

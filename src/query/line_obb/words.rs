@@ -40,7 +40,7 @@ impl<S: Scalar + InRaw> Disjoint<'_, S> {
     }
 
     #[inline(always)]
-    fn ray_in_short_words(&self, ray: &Ray<S>) -> Option<bool> {
+    pub(super) fn ray_in_short_words(&self, ray: &Ray<S>) -> Option<bool> {
         let (way, d) = (self.way_to(&ray.origin())?, raw(&ray.direction()));
         let span = Size::of(self.obb);
         let reach = greatest(size(&[way]).bits(), span.reach + 2) + 1;

@@ -27,7 +27,7 @@
 use core::cmp::Ordering;
 use core::marker::PhantomData;
 
-use super::exact::{ExactParallelepiped, InWords, Signs, Term};
+use super::exact::{ExactParallelepiped, Factors, InWords, Term};
 use super::known::{cross, product};
 use crate::arithmetic::{ProductSum, WholeWord, Word, pick, turn};
 use crate::query::obb_short::size;
@@ -48,7 +48,7 @@ pub(super) struct Both<W, C> {
     cut: C,
 }
 
-impl<'w, W: WholeWord> Signs for InCutWords<'w, W> {
+impl<'w, W: WholeWord> Factors for InCutWords<'w, W> {
     type Factor = Both<W, i32>;
     type Vector = Both<&'w [W; 3], [i32; 3]>;
 
@@ -124,7 +124,7 @@ impl<W: WholeWord> ExactParallelepiped<InWords<W>> {
 mod tests {
     use super::{Both, InCutWords, vector};
     use crate::arithmetic::Word;
-    use crate::query::triangle_obb::exact::{InWords, Signs, Term};
+    use crate::query::triangle_obb::exact::{Factors, InWords, Term};
     use crate::random::Random;
 
     /// Determinants of turned columns are equal, and are rounded otherwise when cut. Sums of their

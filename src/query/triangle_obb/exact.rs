@@ -13,7 +13,7 @@ use crate::robust::{ExactSum, Vector, add_determinant, difference, single};
 use crate::scalar::Scalar;
 
 /// The representation of factors, and the sign of a sum of their products.
-pub(super) trait Signs: Sized {
+pub(in crate::query) trait Factors: Sized {
     type Factor: Copy;
     type Vector;
 
@@ -22,17 +22,17 @@ pub(super) trait Signs: Sized {
 }
 
 /// A factor times the determinant of three vectors.
-pub(super) struct Term<'a, N: Signs>(
-    pub(super) N::Factor,
-    pub(super) &'a N::Vector,
-    pub(super) &'a N::Vector,
-    pub(super) &'a N::Vector,
+pub(in crate::query) struct Term<'a, N: Factors>(
+    pub(in crate::query) N::Factor,
+    pub(in crate::query) &'a N::Vector,
+    pub(in crate::query) &'a N::Vector,
+    pub(in crate::query) &'a N::Vector,
 );
 
 /// Exact sums, for any numbers.
-pub(super) struct InSums<S>(PhantomData<S>);
+pub(in crate::query) struct InSums<S>(PhantomData<S>);
 
-impl<S: Scalar> Signs for InSums<S> {
+impl<S: Scalar> Factors for InSums<S> {
     type Factor = Parts;
     type Vector = Vector;
 
@@ -50,9 +50,9 @@ impl<S: Scalar> Signs for InSums<S> {
 }
 
 /// Words that hold the lengths of the shapes and one.
-pub(super) struct InWords<W>(PhantomData<W>);
+pub(in crate::query) struct InWords<W>(PhantomData<W>);
 
-impl<W: WholeWord> Signs for InWords<W> {
+impl<W: WholeWord> Factors for InWords<W> {
     type Factor = W;
     type Vector = [W; 3];
 
@@ -83,7 +83,7 @@ impl<W: WholeWord> InWords<W> {
 }
 
 /// A triangle and a parallelepiped.
-pub(super) struct ExactParallelepiped<N: Signs> {
+pub(super) struct ExactParallelepiped<N: Factors> {
     /// The vertices, relative to the centre.
     pub(super) t: [N::Vector; 3],
     /// The edges.
@@ -162,7 +162,7 @@ impl<W: WholeWord> ExactParallelepiped<InWords<W>> {
     }
 }
 
-impl<N: Signs> ExactParallelepiped<N> {
+impl<N: Factors> ExactParallelepiped<N> {
     /// The answer from the 13 axes.
     pub(super) fn answer<R: Reading>(&self) -> R::Answer {
         R::of(self.relation::<R>())
@@ -271,7 +271,7 @@ fn toward(side: Ordering, sign: Ordering) -> Ordering {
     if side.is_gt() { sign } else { sign.reverse() }
 }
 
-fn signed<N: Signs>(x: N::Factor, minus: bool) -> N::Factor {
+pub(in crate::query) fn signed<N: Factors>(x: N::Factor, minus: bool) -> N::Factor {
     if minus { N::negated(x) } else { x }
 }
 

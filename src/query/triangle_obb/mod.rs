@@ -10,7 +10,7 @@
 
 mod cut;
 mod error_bound;
-mod exact;
+pub(super) mod exact;
 mod kernel;
 mod known;
 mod prepared;
