@@ -24,7 +24,7 @@
 //! | axis-aligned box | triangle, axis-aligned box, [a mesh](crate::mesh::Tree::first_contact) |
 //! | sphere | triangle, axis-aligned box, [a mesh](crate::mesh::Tree::first_contact) |
 //! | triangle | axis-aligned box |
-//! | triangle or axis-aligned box [near](crate::near) the origin, as `near::Moving` | the other of the two |
+//! | triangle or axis-aligned box [near](crate::near) the origin, as `near::Moving` | the other of the two; the box past a near mesh |
 //!
 //! The motion is a translation. If nothing is met, the body may stand at its new place, t = 1.
 //! Otherwise [`Sweep::last_free`] returns the last place of the scalar on the way where the body

@@ -9,8 +9,9 @@ use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Vec3};
 
 /// A moving box on its way down the tree.
-pub(super) struct Moving<'a, S: Scalar> {
-    aabb: &'a Aabb<S>,
+pub(super) struct Moving<'a, S: Scalar, F> {
+    /// When the box meets another.
+    meets_at: F,
     motion: &'a Motion<S>,
     grid: &'a Grid<S>,
     fast: GridRay,
@@ -20,8 +21,22 @@ pub(super) struct Moving<'a, S: Scalar> {
     end: Option<S>,
 }
 
-impl<'a, S: Scalar> Moving<'a, S> {
-    pub(super) fn new(grid: &'a Grid<S>, aabb: &'a Aabb<S>, motion: &'a Motion<S>) -> Self {
+/// A box anywhere.
+pub(super) fn moving_box<'a, S: Scalar>(
+    grid: &'a Grid<S>,
+    aabb: &'a Aabb<S>,
+    motion: &'a Motion<S>,
+) -> Moving<'a, S, impl Fn(&Aabb<S>) -> Option<S>> {
+    Moving::new(grid, aabb, motion, |cell| Some(aabb.first_contact(motion, cell)?.t))
+}
+
+impl<'a, S: Scalar, F: Fn(&Aabb<S>) -> Option<S>> Moving<'a, S, F> {
+    pub(super) fn new(
+        grid: &'a Grid<S>,
+        aabb: &Aabb<S>,
+        motion: &'a Motion<S>,
+        meets_at: F,
+    ) -> Self {
         let (from, to) = (motion.from().to_array(), motion.to().to_array());
         let at_rest = if from == to { aabb.corners() } else { None };
         let cell = at_rest.map_or(Cell::ALL, |corners| grid.cell(corners));
@@ -34,7 +49,7 @@ impl<'a, S: Scalar> Moving<'a, S> {
             }
             _ => GridRay::EVERYWHERE,
         };
-        Self { aabb, motion, grid, fast, cell, end: None }
+        Self { meets_at, motion, grid, fast, cell, end: None }
     }
 
     #[inline(never)]
@@ -46,8 +61,8 @@ impl<'a, S: Scalar> Moving<'a, S> {
                 continue;
             }
             let cell = node.cell(k);
-            let first = self.aabb.first_contact(self.motion, &self.grid.aabb(&cell));
-            if first.is_none_or(|first| self.end.is_some_and(|end| first.t > end)) {
+            let first = (self.meets_at)(&self.grid.aabb(&cell));
+            if first.is_none_or(|t| self.end.is_some_and(|end| t > end)) {
                 mask ^= 1 << k;
             }
             sooner[k] = along_octant(&cell, three(|i| to[i].partial_cmp(&from[i])));
@@ -84,7 +99,7 @@ fn places<S: Scalar>(grid: &Grid<S>, aabb: &Aabb<S>) -> Option<[[f64; 3]; 2]> {
     }
 }
 
-impl<S: Scalar> Descend for Moving<'_, S> {
+impl<S: Scalar, F: Fn(&Aabb<S>) -> Option<S>> Descend for Moving<'_, S, F> {
     #[inline(always)]
     fn meets(&self, node: &Node) -> Met {
         if !S::IS_FAST {

@@ -5,7 +5,7 @@ use core::ops::ControlFlow;
 use super::boxes::is_before;
 use super::build::Leaves;
 use super::descent::{Descend, Met};
-use super::moving_box::Moving;
+use super::moving_box::{Moving, moving_box};
 use super::node::Node;
 use super::walk::descend;
 use super::{Index, Tree};
@@ -115,13 +115,27 @@ impl<S: Scalar, I: Index> Tree<'_, S, I> {
         &self,
         shape: &M,
         motion: &Motion<S>,
-        mut accepts: impl FnMut(usize, &M::Contact) -> bool,
+        accepts: impl FnMut(usize, &M::Contact) -> bool,
     ) -> Option<(usize, M::Contact)> {
-        let mut best: Option<(usize, M::Contact)> = None;
-        self.pass(Moving::new(&self.grid, &shape.bounds()?, motion), |moving, i| {
-            let Some(first) = shape.first_contact(motion, &self.mesh.known(i)) else { return };
-            let t = M::time(&first);
-            let so_far = best.map(|(j, other)| (j, M::time(&other)));
+        let bounds = shape.bounds()?;
+        let moving = moving_box(&self.grid, &bounds, motion);
+        self.first_met(moving, |triangle| shape.first_contact(motion, triangle), M::time, accepts)
+    }
+
+    /// The first accepted contact, given that with each triangle, and its time.
+    #[inline(always)]
+    pub(super) fn first_met<C: Copy>(
+        &self,
+        moving: Moving<'_, S, impl Fn(&Aabb<S>) -> Option<S>>,
+        contact: impl Fn(&Triangle<S>) -> Option<C>,
+        time: impl Fn(&C) -> S,
+        mut accepts: impl FnMut(usize, &C) -> bool,
+    ) -> Option<(usize, C)> {
+        let mut best: Option<(usize, C)> = None;
+        self.pass(moving, |moving, i| {
+            let Some(first) = contact(&self.mesh.known(i)) else { return };
+            let t = time(&first);
+            let so_far = best.map(|(j, other)| (j, time(&other)));
             if is_before(&so_far, t, i) && accepts(i, &first) {
                 moving.limit(t);
                 best = Some((i, first));
@@ -179,7 +193,7 @@ impl<S: Scalar, I: Index> Tree<'_, S, I> {
         };
         let blocker = |way: &Motion<S>| {
             let mut least: Option<usize> = None;
-            self.pass(Moving::new(&self.grid, &bounds, way), |_, i| {
+            self.pass(moving_box(&self.grid, &bounds, way), |_, i| {
                 if least.is_none_or(|j| i < j) && is_blocked_by(way, i) {
                     least = Some(i);
                 }
@@ -203,10 +217,10 @@ impl<S: Scalar, I: Index> Tree<'_, S, I> {
     /// Visits the triangles whose boxes a moving box meets, roughly in the order in which it reaches
     /// them; on cores without floats all triangles of a leaf, because boxes cost too much there.
     #[inline(always)]
-    fn pass<'m>(
+    fn pass<'m, F: Fn(&Aabb<S>) -> Option<S>>(
         &self,
-        mut moving: Moving<'m, S>,
-        mut visit: impl FnMut(&mut Moving<'m, S>, usize),
+        mut moving: Moving<'m, S, F>,
+        mut visit: impl FnMut(&mut Moving<'m, S, F>, usize),
     ) {
         let _ = descend(self.nodes, &self.layout, &mut moving, |moving, leaf| {
             let mut met = Met { mask: 0b1111, sooner: [i32::MIN; 4] };

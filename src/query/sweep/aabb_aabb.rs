@@ -1,13 +1,19 @@
 //! A box that moves past another. Each slab bounds the motion as it does a line, and the slab's
 //! ends are sums of up to four numbers.
 
+#[cfg(feature = "fixed")]
+use super::Moving;
 use super::latest::Latest;
 use super::{FirstContact, Motion, Sweep};
+#[cfg(feature = "fixed")]
+use crate::arithmetic::IntNear;
 use crate::arithmetic::{Embeds, Number};
 use crate::query::Axis;
 use crate::query::aabb_aabb::{Apart, GAP};
 use crate::query::line_aabb::Slabs;
 use crate::query::relation::Relation;
+#[cfg(feature = "fixed")]
+use crate::robust::only_stage;
 use crate::robust::{Numeric, Predicate, Profile};
 use crate::scalar::Scalar;
 use crate::shape::Aabb;
@@ -104,5 +110,20 @@ impl<S: Scalar> Sweep<Aabb<S>> for Aabb<S> {
 
     fn relation_along(&self, motion: &Motion<S>, other: &Aabb<S>) -> Relation {
         S::evaluate(&Nearest(&Passing::new(self, motion, other)))
+    }
+}
+
+// The faces of a tree's boxes lie within 2^20 of zero, those of the moving box within 2^17, and its way
+// is shorter than 2^18. Products are below 2^40.
+#[cfg(feature = "fixed")]
+impl<S: Scalar> Moving<Aabb<S>, S>
+where
+    IntNear: Embeds<S>,
+{
+    /// When the box meets a box of a tree over a near mesh.
+    pub(crate) fn meets_at(&self, other: &Aabb<S>) -> Option<S> {
+        let passing = || Passing::new(self.shape().get(), self.motion(), other);
+        let misses = only_stage::<_, IntNear, _>(&Misses(passing()));
+        (!misses).then(|| only_stage::<_, IntNear, _>(&Meets(passing())).t)
     }
 }
