@@ -61,7 +61,7 @@
 //! | segment, axis-aligned box | fixed point | `overlaps`, in integers of 64 bits |
 //! | ray, oriented box | fixed point | `overlaps` |
 //! | segment, oriented box | fixed point | `overlaps` |
-//! | triangle and axis-aligned box, one of them moving (`Moving`) | fixed point | `meets`, `first_contact` |
+//! | triangle and axis-aligned box, one of them moving (`Moving`) | fixed point | `meets`, `first_contact`; `relation_along`, `last_free`, in integers of 64 bits |
 //! | triangle, oriented box | fixed point | `overlaps`, `may_overlap` |
 //! | mesh, box, oriented box, sphere or capsule | fixed point | `overlapping` of its tree (`Tree::near`) |
 //! | mesh, ray | fixed point | `first_hit`, `first_hit_where`, `is_hit`, `is_hit_with`, `hits_with` of its tree |

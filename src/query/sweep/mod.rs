@@ -228,11 +228,7 @@ pub trait Sweep<Other> {
     where
         Self::Scalar: Scalar,
     {
-        let is_free = |way: &_| self.relation_along(way, other) != Relation::Overlapping;
-        if is_free(motion) {
-            return Some(motion.to());
-        }
-        Some(motion.place(motion.last_free_step(motion.steps(), is_free)?))
+        motion.last_free(|way| self.relation_along(way, other) != Relation::Overlapping)
     }
 }
 

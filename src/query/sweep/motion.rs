@@ -103,6 +103,14 @@ impl<S: Scalar> Motion<S> {
         Self { from: self.from, to: self.place(k) }
     }
 
+    /// The last free place, as [`Sweep::last_free`](super::Sweep::last_free) returns it.
+    pub(super) fn last_free(&self, is_free: impl Fn(&Self) -> bool) -> Option<Vec3<S>> {
+        if is_free(self) {
+            return Some(self.to);
+        }
+        Some(self.place(self.last_free_step(self.steps(), is_free)?))
+    }
+
     /// A step before `blocked` such that the way to its place is free and the way to the next is
     /// not; `None` if no way is. The way to the place after `blocked` steps is not free.
     pub(crate) fn last_free_step(

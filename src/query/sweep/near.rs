@@ -3,9 +3,12 @@
 use fixed::FixedI32;
 use fixed::types::extra::LeEqU32;
 
-use super::passing::Passing;
+use self::sealed::Past;
+use super::passing::{Nearest, Passing, has_volume};
 use super::{FirstContact, Motion};
-use crate::arithmetic::{Each, InWholeWord, three};
+use crate::arithmetic::{Each, Embeds, InWholeWord, IntNear, three};
+use crate::query::relation::{Relate, Relation};
+use crate::robust::only_stage;
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Near, ShapeError, Triangle, Vec3};
 
@@ -28,6 +31,8 @@ use crate::shape::{Aabb, AabbForm, Near, ShapeError, Triangle, Vec3};
 /// assert!(falling.meets(&floor));
 /// let first = falling.first_contact(&floor).unwrap();
 /// assert_eq!((first.t, first.axis), (I16F16::from_num(0.5), Some(Axis::Face(2))));
+/// let stop = falling.last_free(&floor).unwrap();
+/// assert_eq!(stop, at(0, 0, 10).into()); // it stands on the floor
 ///
 /// let too_far = body.moving(Motion::new(at(0, 0, 90), at(0, 0, -170))?);
 /// assert_eq!(too_far, Err(ShapeError::NotNear));
@@ -110,43 +115,102 @@ impl<S: Scalar + InWholeWord<i32>> Passing<'_, S> {
     fn first_contact_in_words(&self) -> Option<FirstContact<S>> {
         self.meet_in_words().then(|| self.contact_in_any_words::<i32>())
     }
+
+    /// As [`relation`](Self::relation). Doubled, vertices are below 2^19 in the frame of the box, the way
+    /// and edges below 2^18, and volumes below 2^60.
+    fn relation_near(&self) -> Relation
+    where
+        IntNear: Embeds<S>,
+    {
+        if !self.meet_in_words() {
+            return Relation::Disjoint;
+        }
+        let nearest = Nearest { passing: self, is_at_end: false };
+        let between = only_stage::<_, IntNear, _>(&nearest);
+        if between != Relation::Touching || has_volume(self.aabb) {
+            return between;
+        }
+        let relation = |triangle| Near::unchecked(triangle).relation(&Near::unchecked(*self.aabb));
+        // The words hold differences from the box, which are those of the shapes at the end. No sum wraps.
+        let [from, to] = self.ends().each(|p| p.to_array());
+        let moved = |p: [S; 3]| three(|i| p[i].plain_add(to[i].plain_sub(from[i]))).into();
+        let at_end = Triangle::unchecked(self.triangle.points().each(moved));
+        between.max(relation(*self.triangle)).max(relation(at_end))
+    }
 }
 
-impl<S: Scalar + InWholeWord<i32>> Moving<Triangle<S>, S> {
-    fn past<'a>(&'a self, aabb: &'a Near<Aabb<S>>) -> Passing<'a, S> {
-        Passing::new(self.shape.get(), aabb.get(), &self.motion)
+mod sealed {
+    use super::{Motion, Passing};
+
+    /// A shape that moves past another.
+    pub trait Past<Other, S> {
+        fn past<'a>(&'a self, other: &'a Other, way: &'a Motion<S>) -> Passing<'a, S>;
+    }
+}
+
+impl<S: Scalar> Past<Aabb<S>, S> for Triangle<S> {
+    fn past<'a>(&'a self, aabb: &'a Aabb<S>, way: &'a Motion<S>) -> Passing<'a, S> {
+        Passing::new(self, aabb, way)
+    }
+}
+
+impl<S: Scalar> Past<Triangle<S>, S> for Aabb<S> {
+    fn past<'a>(&'a self, triangle: &'a Triangle<S>, way: &'a Motion<S>) -> Passing<'a, S> {
+        Passing::reversed(triangle, self, way)
+    }
+}
+
+/// A triangle past a box, or a box past a triangle.
+impl<T, S: Scalar + InWholeWord<i32>> Moving<T, S> {
+    fn past<'a, Other>(&'a self, other: &'a Near<Other>, way: &'a Motion<S>) -> Passing<'a, S>
+    where
+        T: Past<Other, S>,
+    {
+        self.shape.get().past(other.get(), way)
     }
 
     /// [`Sweep::meets_along`](super::Sweep::meets_along), in 32-bit words alone.
     #[doc(alias = "meets_along")]
     #[must_use]
-    pub fn meets(&self, aabb: &Near<Aabb<S>>) -> bool {
-        self.past(aabb).meet_in_words()
+    pub fn meets<Other>(&self, other: &Near<Other>) -> bool
+    where
+        T: Past<Other, S>,
+    {
+        self.past(other, &self.motion).meet_in_words()
     }
 
     /// [`Sweep::first_contact`](super::Sweep::first_contact), in 32-bit words and quotients of 64-bit sums.
     #[must_use]
-    pub fn first_contact(&self, aabb: &Near<Aabb<S>>) -> Option<FirstContact<S>> {
-        self.past(aabb).first_contact_in_words()
-    }
-}
-
-impl<S: Scalar + InWholeWord<i32>> Moving<Aabb<S>, S> {
-    fn past<'a>(&'a self, triangle: &'a Near<Triangle<S>>) -> Passing<'a, S> {
-        Passing::reversed(triangle.get(), self.shape.get(), &self.motion)
+    pub fn first_contact<Other>(&self, other: &Near<Other>) -> Option<FirstContact<S>>
+    where
+        T: Past<Other, S>,
+    {
+        self.past(other, &self.motion).first_contact_in_words()
     }
 
-    /// [`Sweep::meets_along`](super::Sweep::meets_along), in 32-bit words alone.
-    #[doc(alias = "meets_along")]
+    /// [`Sweep::relation_along`](super::Sweep::relation_along), in 32-bit words and, for shapes that meet,
+    /// integers of 64 bits.
     #[must_use]
-    pub fn meets(&self, triangle: &Near<Triangle<S>>) -> bool {
-        self.past(triangle).meet_in_words()
+    pub fn relation_along<Other>(&self, other: &Near<Other>) -> Relation
+    where
+        T: Past<Other, S>,
+        IntNear: Embeds<S>,
+    {
+        self.past(other, &self.motion).relation_near()
     }
 
-    /// [`Sweep::first_contact`](super::Sweep::first_contact), in 32-bit words and quotients of 64-bit sums.
+    /// [`Sweep::last_free`](super::Sweep::last_free), by [`relation_along`](Self::relation_along) and
+    /// divisions of 64 bits for the places on the way.
+    #[doc(alias = "shape cast")]
     #[must_use]
-    pub fn first_contact(&self, triangle: &Near<Triangle<S>>) -> Option<FirstContact<S>> {
-        self.past(triangle).first_contact_in_words()
+    pub fn last_free<Other>(&self, other: &Near<Other>) -> Option<Vec3<S>>
+    where
+        T: Past<Other, S>,
+        IntNear: Embeds<S>,
+    {
+        // All places of the way are between its ends, and near.
+        let relation = |way: &Motion<S>| self.past(other, way).relation_near();
+        self.motion.last_free(|way| relation(way) != Relation::Overlapping)
     }
 }
 
@@ -195,7 +259,7 @@ mod tests {
     fn answers_are_those_of_shapes_anywhere() {
         let mut random = crate::random::Random(5);
         let mut below = |n: i32| (random.bits() % n as u64) as i32;
-        let mut seen = [0; 3];
+        let (mut seen, mut relations, mut stops) = ([0; 3], [0; 3], 0);
         for case in 0..40_000 {
             let mut number = || match case % 3 {
                 0 => below(2 * MOST) - MOST,
@@ -213,15 +277,26 @@ mod tests {
                 let expected = triangle.first_contact(&motion, &aabb);
                 assert_eq!(moving.first_contact(&close), expected, "{triangle:?} {motion:?}");
                 assert_eq!(moving.meets(&close), expected.is_some());
+                let relation = triangle.relation_along(&motion, &aabb);
+                assert_eq!(moving.relation_along(&close), relation, "{triangle:?} {motion:?}");
+                assert_eq!(moving.last_free(&close), triangle.last_free(&motion, &aabb));
+                relations[relation as usize] += 1;
                 seen[usize::from(expected.is_some_and(|first| first.axis.is_some()))] += 1;
             }
             if let Ok(moving) = close.moving(motion) {
                 let expected = aabb.first_contact(&motion, &triangle);
                 assert_eq!(moving.first_contact(&near), expected, "{aabb:?} {motion:?}");
                 assert_eq!(moving.meets(&near), expected.is_some());
+                let relation = aabb.relation_along(&motion, &triangle);
+                assert_eq!(moving.relation_along(&near), relation, "{aabb:?} {motion:?}");
+                let stop = aabb.last_free(&motion, &triangle);
+                assert_eq!(moving.last_free(&near), stop);
+                stops += u32::from(stop.is_some_and(|stop| stop != motion.to()));
+                relations[relation as usize] += 1;
                 seen[2] += usize::from(expected.is_some());
             }
         }
-        assert!(seen.iter().all(|&n| n > 1_000), "{seen:?}");
+        assert!(seen.iter().chain(&relations).all(|&n| n > 1_000), "{seen:?} {relations:?}");
+        assert!(stops > 300, "{stops}");
     }
 }

@@ -15,7 +15,7 @@ use crate::scalar::{FixedBackend, Scalar};
 use crate::shape::{Aabb, AabbForm, Triangle, Vec3};
 
 /// A triangle that moves past a box.
-pub(super) struct Passing<'a, S> {
+pub struct Passing<'a, S> {
     pub(super) triangle: &'a Triangle<S>,
     pub(super) aabb: &'a Aabb<S>,
     /// Borrowed in place. A fresh copy would not have reached memory when it is loaded as a vector,
@@ -174,9 +174,9 @@ impl<S: Scalar> Passing<'_, S> {
 // of a box with volume have interior points in common at all times close to such an end, too.
 
 /// How near does the triangle come to the box strictly between start and end, or at the end?
-struct Nearest<'a, 'b, S> {
-    passing: &'b Passing<'a, S>,
-    is_at_end: bool,
+pub(super) struct Nearest<'a, 'b, S> {
+    pub(super) passing: &'b Passing<'a, S>,
+    pub(super) is_at_end: bool,
 }
 
 impl<S: Scalar> Predicate<S> for Nearest<'_, '_, S> {
@@ -221,7 +221,7 @@ impl<S: Scalar> Passing<'_, S> {
     }
 }
 
-fn has_volume<S: Scalar>(aabb: &Aabb<S>) -> bool {
+pub(super) fn has_volume<S: Scalar>(aabb: &Aabb<S>) -> bool {
     let (low, high) = match *aabb.form() {
         AabbForm::Center { half, .. } => ([S::ZERO; 3], half.to_array()),
         AabbForm::Corners { min, max } => (min.to_array(), max.to_array()),
