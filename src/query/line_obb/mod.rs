@@ -25,7 +25,7 @@ use super::triangle_obb::{has_second_look, operands, way};
 use crate::arithmetic::{Each, Embeds, Float, InFloat, Number, Parts};
 use crate::arithmetic::{InRaw, REGISTERS_ARE_WIDE, SMALL_CODE};
 #[cfg(feature = "fixed")]
-use crate::arithmetic::{InWholeWord, three};
+use crate::arithmetic::{InWholeWord, out_of_line, three};
 use crate::robust::{Predicate, Profile, Vector, difference, noted, single};
 use crate::scalar::{FixedBackend, Scalar};
 #[cfg(feature = "fixed")]
@@ -338,9 +338,9 @@ impl<S: Scalar + InRaw + InWholeWord<i32>> Overlaps<Near<Obb<S>>> for Near<Ray<S
     /// ```
     fn overlaps(&self, obb: &Near<Obb<S>>) -> bool {
         let question = Disjoint { line: Line::Ray(self.get()), obb: obb.get() };
-        !question
-            .ray_in_short_words(self.get())
-            .unwrap_or_else(|| question.in_whole_words(self.get()))
+        // Its stack is free again before the last stage.
+        let in_short = out_of_line(|| question.ray_in_short_words(self.get()));
+        !in_short.unwrap_or_else(|| question.in_whole_words(self.get()))
     }
 }
 
