@@ -138,3 +138,8 @@ pub(crate) fn segment_aabb<S: Raw>(draw: &mut Draw) -> Option<(Segment<S>, Aabb<
 pub(crate) fn segment_obb<S: Raw>(draw: &mut Draw) -> Option<(Segment<S>, Obb<S>)> {
     Some((segment(draw)?, triangle_obb(draw)?.1))
 }
+
+/// A ray of those above, and an oriented box.
+pub(crate) fn ray_obb<S: Raw>(draw: &mut Draw) -> Option<(Ray<S>, Obb<S>)> {
+    Some((ray_triangle(draw)?.0, triangle_obb(draw)?.1))
+}

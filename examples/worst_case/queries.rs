@@ -10,8 +10,8 @@ use septum::sweep::Sweep;
 
 use crate::CORE;
 use crate::cases::{
-    capsule, ray_aabb, ray_triangle, segment_aabb, segment_obb, sphere, sphere_sweep, sweep,
-    triangle_aabb, triangle_obb,
+    capsule, ray_aabb, ray_obb, ray_triangle, segment_aabb, segment_obb, sphere, sphere_sweep,
+    sweep, triangle_aabb, triangle_obb,
 };
 use crate::draw::{Draw, Path, Raw, Rng};
 use crate::firmware::say;
@@ -66,8 +66,13 @@ pub(crate) fn near(meter: &Meter) {
     lines.say(RELATION, aabb, |t, b| t.relation(b) != Relation::Disjoint);
     lines.say(MEETS_ALONG, moving, |t, b| t.meets(b));
     lines.say(FIRST_CONTACT, moving, |t, b| black_box(t.first_contact(b)).is_some());
+    lines.say("triangle/box relation_along", moving, |t, b| {
+        t.relation_along(b) != Relation::Disjoint
+    });
+    lines.say("triangle/box last_free", moving, |t, b| black_box(t.last_free(b)).is_some());
     lines.say("ray/box", near!(ray_aabb::<S>), |r, b| r.overlaps(b));
     lines.say("segment/box", near!(segment_aabb::<S>), |s, b| s.overlaps(b));
+    lines.say("ray/oriented box", near!(ray_obb::<S>), |r, b| r.overlaps(b));
     lines.say("segment/oriented box", near!(segment_obb::<S>), |s, b| s.overlaps(b));
 }
 
