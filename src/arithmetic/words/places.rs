@@ -23,10 +23,9 @@ pub trait WholeVolume: Number {
     /// Adds the product with `factor` to a sum. The sum is the upper number times 2^32, or times 2
     /// to half the type's bits, plus the lower number: see [`sign_of`](Self::sign_of).
     ///
-    /// The lower half of the number has a sign, and so is at most 2^31 in `i64`. A factor up to 2^31
-    /// then makes a lower number up to 2^62, one up to 2^30 adds 2^61, and three up to 2^19 add
-    /// 3·2^50. With volumes up to 2^59 their upper numbers are up to 2^58, 2^57 and 3·2^46. `i128` has
-    /// more room.
+    /// In `i64` the lower half of the number has a sign, and so is at most 2^31. A factor up to 2^31 then
+    /// makes a lower number up to 2^62, one up to 2^30 adds 2^61, and three up to 2^19 add 3·2^50. With
+    /// volumes up to 2^59 their upper numbers are up to 2^58, 2^57 and 3·2^46. `i128` has more room.
     fn product_onto(self, sum: (Self, Self), factor: impl Into<Self>) -> (Self, Self);
 
     /// How such a sum compares with zero.
@@ -78,8 +77,11 @@ macro_rules! whole {
                 factor: impl Into<Self>,
             ) -> (Self, Self) {
                 let factor = factor.into();
-                let below = self << (Self::BITS / 2) >> (Self::BITS / 2);
-                let above = (self - below) >> (Self::BITS / 2);
+                let half = Self::BITS / 2;
+                // A sign where there is no room to spare: it takes a subtraction.
+                let below =
+                    if half == 32 { self << half >> half } else { self - (self >> half << half) };
+                let above = (self - below) >> half;
                 (upper + above * factor, lower + below * factor)
             }
 
