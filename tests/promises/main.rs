@@ -3,6 +3,9 @@
 
 mod any_bits;
 
+// The source.
+mod imports;
+
 // Shapes: valid and invalid input.
 mod bounds;
 mod construction;
