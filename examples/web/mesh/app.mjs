@@ -51,6 +51,8 @@ function draw() {
     due = true;
     requestAnimationFrame(() => {
         due = false;
+        // Another file may have come in between.
+        if (!state.grid) return;
         const ratio = Math.min(devicePixelRatio, 2);
         const [width, height] = [canvas.clientWidth, canvas.clientHeight];
         for (const each of [canvas, at('picture'), at('floor')]) {
