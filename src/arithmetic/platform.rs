@@ -1,4 +1,4 @@
-//! Facts about the machine, and what is a call there. None changes an answer.
+//! Facts about the machine, and calls in place of copies of code. None changes an answer.
 
 /// Whether small code is more important than speed, by the caller's choice. A cascade then has only
 /// its first stage and its last.

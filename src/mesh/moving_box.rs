@@ -41,7 +41,8 @@ impl<'a, S: Scalar, F: Fn(&Aabb<S>) -> Option<S>> Moving<'a, S, F> {
         let at_rest = if from == to { aabb.corners() } else { None };
         let cell = at_rest.map_or(Cell::ALL, |corners| grid.cell(corners));
         // A choice known at compile time, so that machines without floats link none.
-        let fast = match if S::IS_FAST { places(grid, aabb) } else { None } {
+        let places = if S::IS_FAST { places(grid, aabb) } else { None };
+        let fast = match places {
             Some(places) => {
                 let d = three(|i| to[i].steps_from(from[i], &grid.0[i]));
                 let is_zero = three(|i| from[i] == to[i]);
