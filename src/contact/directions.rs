@@ -161,9 +161,13 @@ impl Axes {
         self.shared == 63
     }
 
-    /// Whether both are boxes with the coordinate axes.
-    pub(super) fn are_aligned(&self) -> bool {
-        self.are_alike() && self.nonzero[0].iter().all(|bits| bits.is_power_of_two())
+    /// The coordinate axis along which a direction is, if it is one, by the numbers of its sides: the only
+    /// coordinate that neither of them has.
+    #[inline]
+    pub(super) fn axis(&self, numbers: [u8; 2]) -> Option<usize> {
+        let [x, y] = numbers.each(|n| self.nonzero[usize::from(n >= 3)][usize::from(n % 3)]);
+        let none = !(x | y) & 7;
+        none.is_power_of_two().then(|| none.trailing_zeros() as usize % 3)
     }
 
     /// The directions that are not certainly zero or equal to an earlier one, as bits.

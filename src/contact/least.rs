@@ -10,6 +10,7 @@ use super::filter::Filter;
 use super::integers::{Long, Short, Words, is_whole};
 use super::measures::{Directed, Lengths, Way};
 use super::mesh::InteriorEdges;
+use super::on_axis::on_axis;
 use super::settled::settled;
 use super::wanted::{FACE, Wanted};
 use super::whole::{Pair, Units};
@@ -142,18 +143,19 @@ pub(super) fn least_measures<S: Scalar>(
     let rough = rough();
     let mut filter = Filter::new::<S>(&rough);
     let wanted = Wanted::new(bodies, &mut filter).ok()?;
-    match from_floats(&filter, &wanted, None) {
+    match from_floats(&filter, &wanted, bodies, false) {
         Some(best) => Some(best),
         None => Some(measured(&exact(bodies, &filter, &wanted).ok()??)),
     }
 }
 
-/// The way that floats leave and its numbers, if they are certain of all.
+/// The way that floats leave and its numbers, if they are certain of all; with a unit vector if `has_unit`.
 #[inline(always)]
 fn from_floats<S: Scalar>(
     filter: &Filter<'_>,
     wanted: &Wanted,
-    bodies: Option<&[Body<'_, S>; 2]>,
+    bodies: &[Body<'_, S>; 2],
+    has_unit: bool,
 ) -> Option<Directed<S>> {
     // Small cores do without, for size.
     if !REGISTERS_ARE_WIDE {
@@ -161,8 +163,11 @@ fn from_floats<S: Scalar>(
     }
     let (n, is_along) = wanted.single()?;
     // Without a branch for each kind of direction.
-    let numbers = sides_of_all(filter.ruler.are_triangles)[n % 16];
-    settled(filter, (wanted.direction(n), numbers), is_along, bodies)
+    let direction = (wanted.direction(n), sides_of_all(filter.ruler.are_triangles)[n % 16]);
+    match filter.axes.axis(direction.1) {
+        Some(axis) => on_axis(filter, bodies, direction, axis, is_along),
+        None => settled(filter, direction, is_along, has_unit.then_some(bodies)),
+    }
 }
 
 #[inline(never)]
@@ -185,7 +190,7 @@ fn least_directed<S: Scalar>(
     };
     let mut filter = Filter::new::<S>(rough);
     let wanted = Wanted::new(bodies, &mut filter).ok()?;
-    match from_floats(&filter, &wanted, Some(bodies)) {
+    match from_floats(&filter, &wanted, bodies, true) {
         Some(best) => Some(best),
         None => Some(directed(&exact(bodies, &filter, &wanted).ok()??)),
     }

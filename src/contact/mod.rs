@@ -128,6 +128,7 @@ mod line;
 mod measures;
 mod mesh;
 mod nearest;
+mod on_axis;
 mod pairs;
 mod points;
 mod quads;

@@ -24,7 +24,7 @@ use crate::shape::{Aabb, Obb, Triangle, Vec3};
 extern crate std;
 
 /// Numbers from −1 to 1, in steps of 2^-bits.
-struct Draw(u64);
+pub(super) struct Draw(pub(super) u64);
 
 impl Draw {
     fn number(&mut self, bits: u32) -> f64 {
@@ -34,11 +34,11 @@ impl Draw {
         (whole as f64) / f64::from(1 << bits) - 1.0
     }
 
-    fn point<S: Copy>(&mut self, bits: u32, of: fn(f64) -> S) -> [S; 3] {
+    pub(super) fn point<S: Copy>(&mut self, bits: u32, of: fn(f64) -> S) -> [S; 3] {
         [(); 3].each(|()| of(self.number(bits)))
     }
 
-    fn half<S: Copy>(&mut self, bits: u32, of: fn(f64) -> S) -> [S; 3] {
+    pub(super) fn half<S: Copy>(&mut self, bits: u32, of: fn(f64) -> S) -> [S; 3] {
         [(); 3].each(|()| of(self.number(bits).abs()))
     }
 }
@@ -93,7 +93,7 @@ fn assert_depth_is_overlap<S: Scalar>(rough: &[Rough; 2], (way, lengths): &(Way,
 }
 
 /// Whether there is a contact, and whether 60 bits hold the shapes, or 250.
-fn check<S: Scalar>(first: &impl Shape<S>, second: &impl Shape<S>) -> [bool; 3] {
+pub(super) fn check<S: Scalar>(first: &impl Shape<S>, second: &impl Shape<S>) -> [bool; 3] {
     let bodies = [first.body(), second.body()];
     let rough = in_floats(&bodies);
     let least = least_exact(&bodies, &rough);

@@ -32,7 +32,7 @@ pub(super) struct Units {
 }
 
 /// What `with` makes of all places of two shapes, of their axes and of their half-extents.
-fn gathered<S: Scalar, T: Copy>(
+pub(super) fn gathered<S: Scalar, T: Copy>(
     bodies: &[Body<'_, S>; 2],
     none: T,
     with: impl Fn(T, S) -> T,
