@@ -170,7 +170,8 @@ pub use self::pairs::{ContactWith, Shape};
 ///
 /// *Panics*: never. *Cost*: in `f64` at most 15 cross products, each with two intervals. These
 /// nearly always leave one direction. In scalars of up to 32 bits the intervals nearly always round
-/// to one number each. If not, it takes three exact coordinates, at most six signs and one exact depth
+/// to one number each. Along a coordinate axis the depth is a sum that `f64` seldom rounds. If there is still a
+/// doubt, it takes three exact coordinates, at most six signs and one exact depth
 /// for each direction that is left, in integers of up to 256 bits, or in exact sums if 60 bits do
 /// not hold the coordinates; and a root and seven quotients of 64 bits.
 ///

@@ -2,6 +2,8 @@
 //! coordinate axes. Their depth is mostly a number that the scalar holds, and bounds on it always leave a
 //! doubt. But it is a sum of few numbers, mostly without a rounding in `f64`.
 
+use core::cmp::Ordering;
+
 use super::body::{Body, flipped};
 use super::directions::Direction;
 use super::filter::Filter;
@@ -9,7 +11,7 @@ use super::lanes::Measure;
 use super::measures::{Directed, Lengths, Way};
 use super::whole::gathered;
 use crate::arithmetic::{
-    Double, Each, Soft, compare, exp2, greatest, least, pick, three, turn, two,
+    Double, Each, Number, Soft, compare, exp2, greatest, least, pick, three, turn, two,
 };
 use crate::scalar::Scalar;
 use crate::shape::{AabbForm, Vec3};
@@ -59,6 +61,22 @@ fn digits(x: f64) -> u32 {
     f64::MANTISSA_DIGITS - (x.to_bits() | 1 << (f64::MANTISSA_DIGITS - 1)).trailing_zeros()
 }
 
+/// x₀·y₁ − x₁·y₀: its sign, its size, and how many binary digits that has at most; `None` if the exact number is
+/// longer, or zero.
+fn minor<S: Scalar>(x: [f64; 2], y: [f64; 2]) -> Option<(Ordering, Soft, u32)> {
+    if S::FLOAT.is_none() {
+        let whole = |x: f64| i128::from((x * (1.0 / S::UNIT)) as i64);
+        let minor = whole(x[0]) * whole(y[1]) - whole(x[1]) * whole(y[0]);
+        let (sign, size) = minor.sign_and_size()?;
+        let digits = 128 - minor.unsigned_abs().leading_zeros() - minor.trailing_zeros();
+        return Some((sign, size, digits));
+    }
+    let minor = Double::difference(product(x[0], y[1])?, product(x[1], y[0])?);
+    let size = minor.in_soft().filter(|_| minor.high.abs().is_product())?;
+    let digits = if minor.low == 0.0 { digits(minor.high) } else { 64 };
+    Some((compare(minor.high, 0.0), size, digits))
+}
+
 /// Whether `f64` has all numbers of the shapes, and their differences.
 fn are_in_double<S: Scalar>(bodies: &[Body<'_, S>; 2]) -> bool {
     const LIMIT: f64 = exp2(52);
@@ -75,37 +93,33 @@ pub(super) fn on_axis<S: Scalar>(
     axis: usize,
     is_along: bool,
 ) -> Option<Directed<S>> {
+    let (_, j, k) = turn(axis);
+    let [x, y] = filter.ruler.sides(numbers).each(|v| [*pick(v, j), *pick(v, k)]);
+    let (sign, length, digits_of_length) = minor::<S>(x, y)?;
     let is_exact = |n: u8| bodies[usize::from(n >= 3)].is_side_exact((n % 3).into());
-    if !(are_in_double(bodies) && is_exact(numbers[0]) && is_exact(numbers[1])) {
+    if !(is_exact(numbers[0]) && is_exact(numbers[1]) && are_in_double(bodies)) {
         return None;
     }
-    let (_, j, k) = turn(axis);
-    let [x, y] = filter.ruler.sides(numbers);
-    let [p, q] = [product(*pick(x, j), *pick(y, k))?, product(*pick(x, k), *pick(y, j))?];
-    let a = Double::difference(p, q);
-    let is_down = a.high < 0.0;
     // The first shape goes up from the second one's upper end, or down from its lower end.
-    let is_up = is_along != is_down;
+    let is_up = is_along == sign.is_gt();
     let [above, below] = if is_up { [1, 0] } else { [0, 1] };
     let depth =
         Double::difference(end(&bodies[above], axis, true)?, end(&bodies[below], axis, false)?);
-    if !(a.high.abs().is_product() && depth.high.is_product()) {
-        return None;
-    }
-    let of_one = depth.in_soft()?.scaled(2 * i32::from(S::ONE.shift));
-    let is_short = a.low == 0.0 && depth.low == 0.0 && digits(a.high) + digits(depth.high) <= 64;
-    let length = if is_short { Soft::ONE } else { a.in_soft()? };
-    let overlap = if is_short { of_one } else { of_one.times(length) };
+    let one = depth.in_soft().filter(|_| depth.high.is_product())?;
+    let one = one.scaled(2 * i32::from(S::ONE.shift));
+    let is_short = depth.low == 0.0 && digits(depth.high) + digits_of_length <= 64;
+    let length = if is_short { Soft::ONE } else { length };
+    let overlap = if is_short { one } else { one.times(length) };
     let lengths = Lengths {
         overlap,
         length,
         square: length.times(length),
-        depth: if is_short { of_one } else { overlap.over(length) },
-        coordinates: three(|i| (i == axis).then_some((compare(a.high, 0.0), length))),
+        depth: if is_short { one } else { overlap.over(length) },
+        coordinates: three(|i| (i == axis).then_some((sign, length))),
     };
     let along = two(|n| {
         let sides = &filter.ruler.shapes[n].sides;
-        three(|i| compare(flipped(*pick(pick(sides, i), axis), is_down), 0.0))
+        three(|i| compare(flipped(*pick(pick(sides, i), axis), sign.is_lt()), 0.0))
     });
     let unit = three(|i| if i == axis { flipped(1.0, !is_up) } else { 0.0 });
     let way = Way { direction, is_along, along, is_held: false };
