@@ -3,7 +3,8 @@
 
 use core::cmp::Ordering;
 
-use super::platform::HAS_LONG_PRODUCTS;
+use super::index::Each;
+use super::platform::{HAS_LONG_PRODUCTS, REGISTERS_ARE_WIDE};
 
 /// An unsigned integer for long division and roots.
 pub trait Wide: Copy + Ord {
@@ -127,6 +128,41 @@ pub(super) fn divided_by_places<W: Wide>(num: W, den: &W, count: u32) -> (u64, W
     (quotient, rest)
 }
 
+/// The product of two limbs.
+#[inline(always)]
+pub(super) fn limb_product(a: u64, b: u64) -> u128 {
+    if REGISTERS_ARE_WIDE { u128::from(a) * u128::from(b) } else { full_product(a, b) }
+}
+
+/// The product of a limb and a word.
+#[inline(always)]
+pub(super) fn limb_by_word(a: u64, b: u32) -> u128 {
+    let (low, high) = (word_product(a as u32, b), word_product((a >> 32) as u32, b));
+    u128::from(low) + (u128::from(high) << 32)
+}
+
+/// The number times the power of two that makes its top bit one, and the exponent.
+#[inline(always)]
+pub(super) fn normal(x: u128) -> (u128, u32) {
+    if REGISTERS_ARE_WIDE {
+        let up = x.leading_zeros();
+        return (x.wrapping_shl(up), up);
+    }
+    // By words first: zeros are counted in one, and all words are shifted alike.
+    let [mut a, mut b, mut c, mut d] = [96, 64, 32, 0].each(|down| (x >> down) as u32);
+    let mut up = 0;
+    if a | b == 0 {
+        (a, b, c, d, up) = (c, d, 0, 0, 64);
+    }
+    if a == 0 {
+        (a, b, c, d, up) = (b, c, d, 0, up + 32);
+    }
+    let n = a.leading_zeros() & 31;
+    let word = |high: u32, low: u32| high << n | low >> 1 >> (31 - n);
+    let words = [word(a, b), word(b, c), word(c, d), d << n];
+    (words.iter().fold(0, |x, &word| x << 32 | u128::from(word)), up + n)
+}
+
 /// The product of two limbs, from products of words.
 #[inline(always)]
 pub(super) fn full_product(a: u64, b: u64) -> u128 {
@@ -142,22 +178,46 @@ pub(super) fn full_product(a: u64, b: u64) -> u128 {
 
 /// The product of two words.
 #[inline(always)]
-fn word_product(a: u32, b: u32) -> u64 {
+pub(super) fn word_product(a: u32, b: u32) -> u64 {
     if HAS_LONG_PRODUCTS { u64::from(a) * u64::from(b) } else { by_halves(a, b) }
 }
 
-/// The product of two words, for machines that have no long product.
+/// The product of two words with signs.
 #[inline(always)]
+pub(crate) fn product(a: i32, b: i32) -> i64 {
+    if HAS_LONG_PRODUCTS { i64::from(a) * i64::from(b) } else { by_signed_halves(a, b) }
+}
+
+/// The product of two words, for machines that have no long product: half of the instructions that the
+/// compiler's product of two numbers of 64 bits takes.
+#[inline(never)]
 fn by_halves(a: u32, b: u32) -> u64 {
-    let ([a0, a1], [b0, b1]) = ([a & 0xffff, a >> 16], [b & 0xffff, b >> 16]);
-    let low = a0 * b0;
-    let middle = a0 * b1 + (low >> 16);
-    let other = a1 * b0 + (middle & 0xffff);
-    let high = a1 * b1 + (middle >> 16) + (other >> 16);
-    u64::from(high) << 32 | u64::from(other << 16 | low & 0xffff)
+    let [[a0, a1], [b0, b1]] = [a, b].each(|x| [x & 0xffff, x >> 16]);
+    let up = |x: u32| u64::from(x) << 16;
+    (u64::from(a1 * b1) << 32 | u64::from(a0 * b0)) + up(a0 * b1) + up(a1 * b0)
+}
+
+/// The same with signs.
+#[inline(never)]
+fn by_signed_halves(a: i32, b: i32) -> i64 {
+    let [[a0, a1], [b0, b1]] = [a, b].each(|x| [x & 0xffff, x >> 16]);
+    let up = |x: i32| i64::from(x) << 16;
+    let low = (a0 as u32) * (b0 as u32);
+    (i64::from(a1 * b1) << 32 | i64::from(low)) + up(a0 * b1) + up(a1 * b0)
 }
 
 /// a·2^63/b rounded down, and the remainder, for two numbers whose top bit is set.
+pub(super) fn divided_by_reciprocal(a: u64, b: u64) -> (u64, u64) {
+    divided(a, b, inverse(b))
+}
+
+/// The [`reciprocal`] of a number whose top bit is set, for [`divided`].
+#[inline(never)]
+pub(super) fn inverse(b: u64) -> u32 {
+    reciprocal((b >> 32) as u32 | 1 << 31)
+}
+
+/// The same, given the [`inverse`] of b.
 ///
 /// Cores without a long division take the reciprocal of a word: three digits, each from the last
 /// remainder, take a quarter of the instructions of 64 binary places.
@@ -166,18 +226,15 @@ fn by_halves(a: u32, b: u32) -> u64 {
 /// at most three too low: the reciprocal lacks less than 2^-28 of itself, and two numbers are
 /// cut. So each remainder is below four divisors, and each digit below 2^30.
 #[inline(never)]
-pub(super) fn divided_by_reciprocal(a: u64, b: u64) -> (u64, u64) {
+pub(super) fn divided(a: u64, b: u64, inverse: u32) -> (u64, u64) {
     // It is, and a zero would have no end.
     let b = b | 1 << 63;
-    let inverse = reciprocal((b >> 32) as u32);
     let (mut quotient, mut rest) = (0, u128::from(a) << 63);
     let mut digit = |down: u32, place: u32| {
         // 1/b is inverse/2^95.
         let digit = word_product((rest >> down) as u32, inverse) >> (95 + place - down);
         quotient += digit << place;
-        let low = u128::from(word_product(digit as u32, b as u32));
-        let high = u128::from(word_product(digit as u32, (b >> 32) as u32));
-        rest -= (low + (high << 32)) << place;
+        rest -= limb_by_word(b, digit as u32) << place;
     };
     digit(96, 35);
     digit(70, 8);
@@ -209,7 +266,6 @@ fn reciprocal(h: u32) -> u32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::arithmetic::Each;
     use crate::random::Random;
 
     #[test]
@@ -253,6 +309,8 @@ mod tests {
         let words = [0, 1, 2, 0xffff, 0x1_0000, 0x8000_0001, 0xfff0_ffff, u32::MAX];
         for (a, b) in words.iter().flat_map(|&a| words.map(|b| (a, b))) {
             assert_eq!(by_halves(a, b), u64::from(a) * u64::from(b), "{a} {b}");
+            let (a, b) = (a as i32, b as i32);
+            assert_eq!(by_signed_halves(a, b), i64::from(a) * i64::from(b), "{a} {b}");
         }
     }
 

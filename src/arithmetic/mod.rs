@@ -51,6 +51,7 @@ pub(crate) use index::{Each, cross3, dot3, minus3, pick, three, turn, two};
 pub(crate) use integer::{Int8, Int32, Int64, IntNear};
 pub(crate) use integer::{Int16, Int64Narrow, Int64OfFloats, of_four};
 pub use interval::Interval;
+pub(crate) use limbs::product;
 #[cfg(feature = "fixed")]
 pub(crate) use limbs::{Limbs, Wide};
 pub use number::{Limbed, Number};

@@ -110,8 +110,8 @@ macro_rules! integer {
                 [$divided(self.unsigned_abs().into(), den.unsigned_abs().into()); 2]
             }
             fn sign_and_size(self) -> Option<(Ordering, Soft)> {
-                let size = u128::from(self.unsigned_abs());
-                signed((self < 0, [size as u64, (size >> 64) as u64]))
+                let sign = self.cmp(&0);
+                sign.is_ne().then(|| (sign, Soft::of(self.unsigned_abs().into(), 0, 0)))
             }
         }
     )*};

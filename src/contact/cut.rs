@@ -2,18 +2,24 @@
 //! scalars that are integers of a few words. A product takes one instruction, and no sum a second word.
 
 use core::cmp::Ordering;
+use core::num::NonZeroU32;
 
-use super::directions::{Axes, Direction};
+use super::directions::Axes;
 use super::integers::Words;
 use super::whole::Pair;
 use crate::arithmetic::{Each, greatest, pick};
 
-/// The numbers of two shapes, rounded to half words: twice the places from the second shape's origin, and
-/// what extends from them.
+/// Two shapes, and their numbers rounded to half words.
 pub(super) struct Cut<'a> {
     pair: &'a Pair<Words>,
-    /// Each side over a power of two of its own.
-    sides: [[[i32; 3]; 3]; 2],
+    of: &'a Rounded,
+}
+
+/// The numbers of two shapes, rounded to half words: twice the places from the second shape's origin, and
+/// what extends from them.
+pub(super) struct Rounded {
+    /// Each side over a power of two of its own, as 3·shape + k; two are none.
+    sides: [[i32; 3]; 8],
     at: [[[i32; 3]; 3]; 2],
     reach: [[[i32; 3]; 3]; 2],
     /// The sum of the sizes of places and reaches.
@@ -46,7 +52,7 @@ pub(super) struct Measured {
     ///
     /// The greatest coordinate is at least 2^14 in size and at most 2^15. A coordinate errs by less
     /// than 9, and the square by less than 2·9·3·2^15 + 3·9², below 2^20·2.
-    square: u32,
+    square: NonZeroU32,
 }
 
 /// A square of a depth, as m/square, in a unit that is chosen for all.
@@ -80,14 +86,14 @@ impl Measured {
     pub(super) fn bound(&self, least: i32, down: u32) -> Option<Depth> {
         let most = self.most();
         let m = (most >> down) as u32 + 1;
-        (most >> 2 <= least).then(|| Depth { m: m * m, square: self.square - 2 })
+        (most >> 2 <= least).then(|| Depth { m: m * m, square: self.square.get() - 2 })
     }
 
     /// Whether the depth on one side may be at most a bound.
     pub(super) fn is_within(&self, is_along: bool, bound: &Depth, least: i32, down: u32) -> bool {
         let overlap = greatest(self.overlaps[usize::from(is_along)] - self.error, 0);
         let m = (overlap >> down) as u32;
-        overlap >> 2 <= least && Depth { m: m * m, square: self.square + 3 }.is_at_most(bound)
+        overlap >> 2 <= least && Depth { m: m * m, square: self.square.get() + 3 }.is_at_most(bound)
     }
 }
 
@@ -117,32 +123,30 @@ fn raised(x: i32, up: i32) -> i32 {
     if up < 0 { x >> up.unsigned_abs().min(31) } else { x << up.min(31) }
 }
 
-/// The numbers over 2^down, rounded to the nearest.
-fn rounded(v: &[i32; 3], down: i32) -> [i32; 3] {
-    v.each(|x| (raised(x, 1 - down) + 1) >> 1)
-}
+impl Rounded {
+    pub(super) const NONE: Self =
+        Self { sides: [[0; 3]; 8], at: [[[0; 3]; 3]; 2], reach: [[[0; 3]; 3]; 2], sum: 0 };
 
-impl<'a> Cut<'a> {
+    /// In place, without a copy.
     #[inline(never)]
-    pub(super) fn new(pair: &'a Pair<Words>) -> Self {
-        let none = [[[0; 3]; 3]; 2];
-        let mut new = Self { pair, sides: none, at: none, reach: none, sum: 0 };
+    fn fill(&mut self, pair: &Pair<Words>) {
         // The exponents of places and reaches.
         let (mut ups, mut of_reach) = ([[0; 3]; 2], [[0; 3]; 2]);
         let mut most = 0;
+        // A box has one place.
+        let has_place = |n: usize, k: usize| k == 0 || pair.are_triangles[n];
         for n in 0..2 {
             for k in 0..3 {
-                // A box has one place.
-                if k == 0 || pair.are_triangles[n] {
+                if has_place(n, k) {
                     let (end, up) = narrowed(&pair.ends[n][k]);
-                    (new.at[n][k], ups[n][k]) = (end, up + pair.up as i32);
+                    (self.at[n][k], ups[n][k]) = (end, up + pair.up as i32);
                     most = greatest(most, bits(&end) + ups[n][k]);
                 }
                 let (side, up) = narrowed(&pair.sides[n][k]);
                 // To 30 bits.
                 let free = 30 - bits(&side);
                 let side = side.each(|x| raised(x, free));
-                new.sides[n][k] = side.each(|x| (x + (1 << 14)) >> 15);
+                self.sides[3 * n + k] = side.each(|x| (x + (1 << 14)) >> 15);
                 let half = pair.halves[n][k] as u32;
                 if half != 0 {
                     // To 16 bits.
@@ -152,78 +156,101 @@ impl<'a> Cut<'a> {
                         (x >> 16) * half as i32 + (((x as u32 & 0xffff) * half) >> 16) as i32
                     };
                     let reach = side.each(times);
-                    (new.reach[n][k], of_reach[n][k]) = (reach, up - free + 32 - zeros as i32);
+                    (self.reach[n][k], of_reach[n][k]) = (reach, up - free + 32 - zeros as i32);
                     most = greatest(most, bits(&reach) + of_reach[n][k]);
                 }
             }
         }
         let down = most - PLACE;
+        let mut round = |v: &mut [i32; 3], up: i32| {
+            for x in v {
+                // To the nearest.
+                *x = (raised(*x, 1 + up - down) + 1) >> 1;
+                self.sum += x.abs();
+            }
+        };
         for n in 0..2 {
             for k in 0..3 {
-                new.at[n][k] = rounded(&new.at[n][k], down - ups[n][k]);
-                new.reach[n][k] = rounded(&new.reach[n][k], down - of_reach[n][k]);
+                if has_place(n, k) {
+                    round(&mut self.at[n][k], ups[n][k]);
+                }
+                round(&mut self.reach[n][k], of_reach[n][k]);
             }
         }
-        let sizes = |all: &[[[i32; 3]; 3]; 2]| -> i32 {
-            all.as_flattened().as_flattened().iter().map(|x| x.abs()).sum()
-        };
-        new.sum = sizes(&new.at) + sizes(&new.reach);
-        new
+    }
+}
+
+impl<'a> Cut<'a> {
+    pub(super) fn new(pair: &'a Pair<Words>, of: &'a mut Rounded) -> Self {
+        of.fill(pair);
+        Self { pair, of }
     }
 
-    /// Where a shape begins and ends along a direction, without the sides in `own`, as bits 3·shape + k.
-    fn ends(&self, shape: usize, a: &[i32; 3], own: u32) -> [i32; 2] {
+    /// The overlaps against a direction and along it, by all but the sides in `own`, as bits 3·shape + k.
+    fn overlaps(&self, a: &[i32; 3], own: u32) -> [i32; 2] {
         let along = |v: &[i32; 3]| (a[0] * v[0] + a[1] * v[1] + a[2] * v[2]) >> 3;
-        let [p, q, r] = &self.at[shape % 2];
-        let p = along(p);
-        if self.pair.are_triangles[shape % 2] {
-            let (q, r) = (along(q), along(r));
-            return [p.min(q).min(r), p.max(q).max(r)];
-        }
-        let (mut reach, own) = (0, own >> (3 * shape));
-        for (k, v) in self.reach[shape % 2].iter().enumerate() {
-            if own >> k & 1 == 0 {
+        let are_triangles = self.pair.are_triangles;
+        // A triangle has no reach, and the place of a box that is second is zero.
+        let [first, second] = are_triangles.each(|is| if is { 7 } else { 0 });
+        let (mut reach, without) = (0, own | first | second << 3);
+        for (n, v) in self.of.reach.as_flattened().iter().enumerate() {
+            if without >> n & 1 == 0 {
                 reach += along(v).abs();
             }
         }
-        [p - reach, p + reach]
+        let ends = |[p, q, r]: &[[i32; 3]; 3], is_triangle: bool| {
+            let p = along(p);
+            if !is_triangle {
+                return [p, p];
+            }
+            let (q, r) = (along(q), along(r));
+            [p.min(q).min(r), p.max(q).max(r)]
+        };
+        let [a0, a1] = ends(&self.of.at[0], are_triangles[0]);
+        let [b0, b1] = if are_triangles[1] { ends(&self.of.at[1], true) } else { [0; 2] };
+        [a1 - b0 + reach, b1 - a0 + reach]
     }
 
-    /// The directions that are not certainly zero or equal to an earlier one, as bits.
-    pub(super) fn needed(&self, all: &[Direction]) -> u16 {
-        let sides = &self.pair.sides;
-        Axes::new(sides.each_ref(), self.pair.are_triangles, true).needed(all, |direction, axis| {
-            pick(&self.cross(direction), axis).unsigned_abs() >> 17 != 0
-        })
+    pub(super) fn are_triangles(&self) -> [bool; 2] {
+        self.pair.are_triangles
+    }
+
+    /// Which directions are superfluous.
+    pub(super) fn axes(&self) -> Axes {
+        Axes::new(self.pair.sides.each_ref(), self.pair.are_triangles, true)
+    }
+
+    /// Whether a coordinate of a direction is certainly not zero.
+    pub(super) fn is_clear(&self, numbers: [u8; 2], axis: usize) -> bool {
+        pick(&self.cross(numbers), axis).unsigned_abs() >> 17 != 0
     }
 
     /// The cross product of a direction's rounded sides. It errs by less than 2^16 and 2^5.
-    fn cross(&self, direction: Direction) -> [i32; 3] {
-        let own = direction.sides(self.pair.are_triangles);
-        let [x, y] = own.each(|(shape, k)| pick(&self.sides[shape % 2], k));
+    fn cross(&self, numbers: [u8; 2]) -> [i32; 3] {
+        let [x, y] = numbers.each(|n| &self.of.sides[usize::from(n % 8)]);
         [x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]]
     }
 
     /// The direction's leading bits, and how far they are off; `None` if it is zero.
-    fn direction(&self, direction: Direction) -> Option<([i32; 3], i32)> {
-        let cross = self.cross(direction);
+    fn direction(&self, numbers: [u8; 2]) -> Option<([i32; 3], i32)> {
+        let cross = self.cross(numbers);
         let width = 32 - cross.iter().fold(0, |all, x| all | x ^ x >> 31).leading_zeros() as i32;
         if width >= LEAST {
             // 2^16 over that power, and one.
             return Some((cross.each(|x| x >> (width - BITS)), (1 << (31 - width)) + 1));
         }
-        Some((self.pair.along(direction).cut(BITS)?, 1))
+        Some((self.pair.along(numbers).cut(BITS)?, 1))
     }
 
     /// The signs of the sides along a direction, where they are certain.
     ///
     /// With the errors that [`ERROR`] has, a product errs by less than 2^15·(e + 1/2) and 2^7 + 13; three,
     /// in units of 2^2 to which each is cut, by less than 3·2^12·(2·e + 1) and 110.
-    pub(super) fn along(&self, direction: Direction) -> [[Option<Ordering>; 3]; 2] {
+    pub(super) fn along(&self, numbers: [u8; 2]) -> [[Option<Ordering>; 3]; 2] {
         let mut along = [[None; 3]; 2];
-        if let Some((a, error)) = self.direction(direction) {
+        if let Some((a, error)) = self.direction(numbers) {
             let bound = 3 * (2 * error + 1) * (1 << 12) + 110;
-            for (along, v) in along.as_flattened_mut().iter_mut().zip(self.sides.as_flattened()) {
+            for (along, v) in along.as_flattened_mut().iter_mut().zip(&self.of.sides) {
                 let sum = ((a[0] * v[0]) >> 2) + ((a[1] * v[1]) >> 2) + ((a[2] * v[2]) >> 2);
                 *along = (sum.abs() > bound).then(|| sum.cmp(&0));
             }
@@ -232,13 +259,11 @@ impl<'a> Cut<'a> {
     }
 
     /// Bounds along a direction; `None` if it is zero.
-    pub(super) fn measured(&self, direction: Direction) -> Option<Measured> {
-        let (a, error) = self.direction(direction)?;
-        let [x, y] = direction.numbers(self.pair.are_triangles);
-        let own = 1 << x | 1 << y;
-        let ([a0, a1], [b0, b1]) = (self.ends(0, &a, own), self.ends(1, &a, own));
-        let square = a.iter().map(|x| x.unsigned_abs().pow(2)).sum::<u32>();
-        let error = ((self.sum * error) >> 3) + ERROR;
-        Some(Measured { overlaps: [a1 - b0, b1 - a0], error, square: square >> 20 })
+    pub(super) fn measured(&self, numbers: [u8; 2]) -> Option<Measured> {
+        let (a, error) = self.direction(numbers)?;
+        let overlaps = self.overlaps(&a, 1 << numbers[0] | 1 << numbers[1]);
+        let square = a.iter().map(|x| x.unsigned_abs().pow(2)).sum::<u32>() >> 20;
+        let error = ((self.of.sum * error) >> 3) + ERROR;
+        Some(Measured { overlaps, error, square: NonZeroU32::new(square)? })
     }
 }

@@ -144,15 +144,17 @@ impl Axes {
 
     /// Whether a direction of two boxes is zero, or equal to an earlier one, because of axes that
     /// the boxes share.
-    fn is_shared(&self, direction: Direction) -> bool {
-        let (first, second) = (self.shared & 7, self.shared >> 3);
-        match direction {
-            Direction::Face { is_second: false, .. } => false,
-            Direction::Face { is_second: true, k } => (second | 1 << k) == 7,
+    fn is_shared(&self, [x, y]: [u8; 2]) -> bool {
+        let own = 1 << x | 1 << y;
+        match (x >= 3, y >= 3) {
+            // A face of the first box.
+            (_, false) => false,
+            // A face of the second box.
+            (true, true) => self.shared & own == own,
             // If v_j equals an axis of the first box, u_i × v_j is zero or a face normal of the
             // first box. If u_i equals an axis of the second box, it is zero or a face normal of
             // the second box.
-            Direction::Sides(i, j) => (first >> i | second >> j) & 1 == 1,
+            (false, true) => self.shared & own != 0,
         }
     }
 
@@ -176,29 +178,38 @@ impl Axes {
     pub(super) fn needed(
         &mut self,
         all: &[Direction],
-        is_clear: impl Fn(Direction, usize) -> bool,
+        is_clear: impl Fn([u8; 2], usize) -> bool,
     ) -> u16 {
         let every = u16::MAX >> (16 - all.len() as u32 % 16);
         match self.shared {
             // The faces of the first box.
             _ if self.are_alike() => 7,
             0 if self.nonzero == [[7; 3]; 2] => every,
-            _ => all.iter().enumerate().fold(0, |needed, (n, direction)| {
-                needed | u16::from(!self.is_superfluous(*direction, &is_clear)) << n
-            }),
+            _ => {
+                sides_of_all(self.are_triangles).iter().enumerate().fold(
+                    0,
+                    |needed, (n, &sides)| {
+                        needed | u16::from(!self.is_superfluous(sides, &is_clear)) << n
+                    },
+                ) & every
+            }
         }
     }
 
     fn is_superfluous(
         &mut self,
-        direction: Direction,
-        is_clear: impl Fn(Direction, usize) -> bool,
+        sides: [u8; 2],
+        is_clear: impl Fn([u8; 2], usize) -> bool,
     ) -> bool {
-        if self.is_shared(direction) {
+        if self.is_shared(sides) {
             return true;
         }
-        let sides = direction.sides(self.are_triangles);
-        let [x, y] = sides.each(|(shape, k)| u32::from(*pick(&self.nonzero[shape % 2], k)));
+        let bits = |n: u8| {
+            let [first, second] = &self.nonzero;
+            let of = if n < 3 { pick(first, n.into()) } else { pick(second, usize::from(n) - 3) };
+            u32::from(*of)
+        };
+        let [x, y] = sides.each(bits);
         // Bit i of the first has coordinate i + 1, and of the second i + 2, modulo three.
         let turned = |bits: u32| [bits >> 1 | bits << 2, bits >> 2 | bits << 1];
         let ([x1, x2], [y1, y2]) = (turned(x), turned(y));
@@ -211,7 +222,7 @@ impl Axes {
         if self.seen[axis] {
             return true;
         }
-        self.seen[axis] = is_clear(direction, axis);
+        self.seen[axis] = is_clear(sides, axis);
         false
     }
 }

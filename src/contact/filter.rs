@@ -216,8 +216,8 @@ impl<'a> Filter<'a> {
     /// The directions that are not certainly zero or equal to an earlier one, as bits.
     pub(super) fn needed(&mut self, all: &[Direction]) -> u16 {
         let ruler = &self.ruler;
-        self.axes.needed(all, |direction, axis| {
-            let [x, y] = ruler.sides(direction.numbers(ruler.are_triangles));
+        self.axes.needed(all, |numbers, axis| {
+            let [x, y] = ruler.sides(numbers);
             let (a, products) = cross_with_products(x, y);
             a[axis].abs() > f64::SPREAD * products[axis]
         })

@@ -5,7 +5,7 @@ use core::mem::size_of;
 
 use super::exact::Size;
 use crate::arithmetic::{
-    BigInt, Each, I256, Number, Parts, REGISTERS_ARE_WIDE, Soft, compare, of_four, three,
+    BigInt, Each, I256, Number, Parts, REGISTERS_ARE_WIDE, Soft, compare, of_four, product, three,
 };
 use crate::scalar::Scalar;
 
@@ -144,7 +144,7 @@ impl Integers for Words {
     fn area(x: i64, y: i64) -> i128 {
         let (a, b) = (x as i32, y as i32);
         if i64::from(a) == x && i64::from(b) == y {
-            return (i64::from(a) * i64::from(b)).into();
+            return product(a, b).into();
         }
         of_four(x, y)
     }
@@ -159,12 +159,15 @@ impl Integers for Words {
     }
     fn size(a: &[i128; 3], v: &[i128; 3]) -> Size {
         let (upper, lower) = in_parts(a, v);
-        if upper < 0 {
+        if upper < 0 || (upper, lower) == (0, 0) {
             return None;
         }
-        let limbs =
-            [(upper << 32) as u64 | u64::from(lower), (upper >> 32) as u64, (upper >> 96) as u64];
-        Soft::of_limbs(&limbs)
+        let (upper, lower) = (upper as u128, u128::from(lower));
+        Some(if upper >> 96 == 0 {
+            Soft::of(upper << 32 | lower, 0, 0)
+        } else {
+            Soft::of(upper, u128::from(lower != 0), 32)
+        })
     }
 }
 

@@ -3,7 +3,7 @@
 use core::cmp::Ordering;
 
 use super::body::{Body, Rough, Vec64, cross, dot};
-use super::cut::Cut;
+use super::cut::{Cut, Rounded};
 use super::directions::{Apart, Direction, all, sides_of_all};
 use super::exact::{Exact, Given, Sums, length};
 use super::filter::Filter;
@@ -37,9 +37,10 @@ impl Numbers<'_> {
     ) -> Option<Exact> {
         let triangles = [bodies[0].is_triangle(), bodies[1].is_triangle()];
         let own = direction.sides(triangles);
+        let numbers = direction.numbers(triangles);
         match self {
-            Self::Short(pair) => Exact::new(&pair.along(direction), triangles, own, known, wanted),
-            Self::Long(pair) => Exact::new(&pair.along(direction), triangles, own, known, wanted),
+            Self::Short(pair) => Exact::new(&pair.along(numbers), triangles, own, known, wanted),
+            Self::Long(pair) => Exact::new(&pair.along(numbers), triangles, own, known, wanted),
             Self::Sums => Exact::new(&Sums::new(bodies, own), triangles, own, known, wanted),
         }
     }
@@ -50,7 +51,8 @@ fn exact<S: Scalar>(
     bodies: &[Body<'_, S>; 2],
     filter: &Filter<'_>,
     wanted: &Wanted,
-) -> Result<Option<(Way, Lengths)>, Apart> {
+    best: &mut (Way, Lengths),
+) -> Result<bool, Apart> {
     let (short, long);
     let numbers = match Units::new(bodies) {
         Some(units) if units.are_short => {
@@ -63,9 +65,9 @@ fn exact<S: Scalar>(
         }
         None => Numbers::Sums,
     };
-    least_of(wanted, &|direction, wanted| {
-        numbers.along(bodies, direction, &filter.along(direction), wanted)
-    })
+    let along =
+        |direction, wanted| numbers.along(bodies, direction, &filter.along(direction), wanted);
+    least_of(wanted, &along, best)
 }
 
 /// The least translation of a scalar that [`is_whole`]; of all, or along the normal of the first shape.
@@ -73,43 +75,50 @@ fn exact<S: Scalar>(
 pub(super) fn exact_in_words<S: Scalar>(
     bodies: &[Body<'_, S>; 2],
     is_normal: bool,
-) -> Result<Option<(Way, Lengths)>, Apart> {
+    best: &mut (Way, Lengths),
+) -> Result<bool, Apart> {
     let mut pair = Pair::<Words>::NONE;
     Units::of_words::<S>().fill(bodies, &mut pair);
-    let cut = Cut::new(&pair);
+    let mut rounded = Rounded::NONE;
+    let cut = Cut::new(&pair, &mut rounded);
     let wanted = if is_normal { Wanted::FACE } else { Wanted::in_words(all(bodies), &cut)? };
-    least_of(&wanted, &|direction, wanted| {
-        let own = direction.sides(pair.are_triangles);
-        let (given, known): (&dyn Given, _) = (&pair.along(direction), cut.along(direction));
+    let along = |direction: Direction, wanted| {
+        let (own, numbers) =
+            (direction.sides(pair.are_triangles), direction.numbers(pair.are_triangles));
+        let (given, known): (&dyn Given, _) = (&pair.along(numbers), cut.along(numbers));
         Exact::new(given, pair.are_triangles, own, &known, wanted)
-    })
+    };
+    least_of(&wanted, &along, best)
 }
 
-/// The least of the wanted translations; of equal depths the first. `None` if all directions are zero,
-/// `Err` if the shapes are apart or touch.
+/// The least of the wanted translations, of equal depths the first. It is filled where it is: an assignment
+/// of all would copy it. `false` if all directions are zero, `Err` if the shapes are apart or touch.
 fn least_of(
     wanted: &Wanted,
     along: &dyn Fn(Direction, [bool; 2]) -> Option<Exact>,
-) -> Result<Option<(Way, Lengths)>, Apart> {
-    let mut best: Option<(Way, Lengths)> = None;
+    (way, lengths): &mut (Way, Lengths),
+) -> Result<bool, Apart> {
+    let mut is_found = false;
     for (direction, wanted) in wanted.iter() {
         note(Stage::Exact);
-        let Some(exact) = along(direction, wanted) else { continue };
-        let Some((length, square)) = length(&exact.coordinates) else { continue };
-        let Exact { coordinates, along, overlaps } = exact;
+        let exact = along(direction, wanted);
+        let Some(Exact { coordinates, along, overlaps }) = &exact else { continue };
+        let Some((length, square)) = length(coordinates) else { continue };
         for is_along in [false, true] {
             if !wanted[usize::from(is_along)] {
                 continue;
             }
             let overlap = overlaps[usize::from(is_along)].ok_or(Apart)?;
             let depth = overlap.over(length);
-            if best.as_ref().is_none_or(|(_, best)| depth.is_less_than(best.depth)) {
-                let way = Way { direction, is_along, along, is_held: false };
-                best = Some((way, Lengths { overlap, length, square, depth, coordinates }));
+            if !is_found || depth.is_less_than(lengths.depth) {
+                is_found = true;
+                (way.direction, way.is_along, way.along) = (direction, is_along, *along);
+                (lengths.overlap, lengths.length, lengths.square) = (overlap, length, square);
+                (lengths.depth, lengths.coordinates) = (depth, *coordinates);
             }
         }
     }
-    Ok(best)
+    Ok(is_found)
 }
 
 /// The least way out by exact numbers, of the directions that floats leave.
@@ -120,7 +129,8 @@ pub(super) fn least_exact<S: Scalar>(
 ) -> Option<(Way, Lengths)> {
     let mut filter = Filter::new::<S>(rough);
     let wanted = Wanted::new(bodies, &mut filter).ok()?;
-    exact(bodies, &filter, &wanted).ok()?
+    let mut best = (Way::NONE, Lengths::NONE);
+    exact(bodies, &filter, &wanted, &mut best).ok()?.then_some(best)
 }
 
 /// The least way out and its numbers, without a unit vector; `None` if a plane separates the shapes.
@@ -135,18 +145,15 @@ pub(super) fn least_measures<S: Scalar>(
         let measures = lengths.measures(way.is_along);
         Directed { unit: [0.0; 3], depth: f64::INFINITY, measures, way: *way }
     };
+    let mut best = (Way::NONE, Lengths::NONE);
     if is_whole::<S>() {
-        // Where it is, without a copy.
-        let Ok(Some(best)) = &exact_in_words(bodies, false) else { return None };
-        return Some(measured(best));
+        return exact_in_words(bodies, false, &mut best).ok()?.then(|| measured(&best));
     }
     let rough = rough();
     let mut filter = Filter::new::<S>(&rough);
     let wanted = Wanted::new(bodies, &mut filter).ok()?;
-    match from_floats(&filter, &wanted, bodies, false) {
-        Some(best) => Some(best),
-        None => Some(measured(&exact(bodies, &filter, &wanted).ok()??)),
-    }
+    from_floats(&filter, &wanted, bodies, false)
+        .or_else(|| exact(bodies, &filter, &wanted, &mut best).ok()?.then(|| measured(&best)))
 }
 
 /// The way that floats leave and its numbers, if they are certain of all; with a unit vector if `has_unit`.
@@ -184,16 +191,14 @@ fn least_directed<S: Scalar>(
     bodies: &[Body<'_, S>; 2],
     rough: Option<&[Rough; 2]>,
 ) -> Option<Directed<S>> {
+    let mut best = (Way::NONE, Lengths::NONE);
     let Some(rough) = rough else {
-        let Ok(Some(best)) = &exact_in_words(bodies, false) else { return None };
-        return Some(directed(best));
+        return exact_in_words(bodies, false, &mut best).ok()?.then(|| directed(&best));
     };
     let mut filter = Filter::new::<S>(rough);
     let wanted = Wanted::new(bodies, &mut filter).ok()?;
-    match from_floats(&filter, &wanted, bodies, true) {
-        Some(best) => Some(best),
-        None => Some(directed(&exact(bodies, &filter, &wanted).ok()??)),
-    }
+    from_floats(&filter, &wanted, bodies, true)
+        .or_else(|| exact(bodies, &filter, &wanted, &mut best).ok()?.then(|| directed(&best)))
 }
 
 /// The same for contact points, and in a mesh. Its frame is free before the points. A scalar that
@@ -217,11 +222,12 @@ pub(super) fn least_way<S: Scalar>(
     if !is_across.unwrap_or(best.way.direction != FACE) {
         return Some(best);
     }
-    let normal = match rough {
-        Some(rough) => exact(bodies, &Filter::new::<S>(rough), &Wanted::FACE),
-        None => exact_in_words(bodies, true),
+    let mut normal = (Way::NONE, Lengths::NONE);
+    let is_found = match rough {
+        Some(rough) => exact(bodies, &Filter::new::<S>(rough), &Wanted::FACE, &mut normal),
+        None => exact_in_words(bodies, true, &mut normal),
     };
-    let mut normal = directed(&normal.ok()??);
+    let mut normal = is_found.ok()?.then(|| directed(&normal))?;
     normal.way.is_held = true;
     Some(if is_across.is_none() { best } else { normal })
 }

@@ -6,7 +6,7 @@ use super::answer::{Features, Translation};
 use super::body::Vec64;
 use super::directions::Direction;
 use super::exact::{Size, farthest};
-use crate::arithmetic::{Soft, three};
+use crate::arithmetic::{Each, Soft, three};
 use crate::scalar::Scalar;
 use crate::shape::Vec3;
 
@@ -39,6 +39,14 @@ pub(super) struct Way {
 }
 
 impl Way {
+    /// To be filled.
+    pub(super) const NONE: Self = Self {
+        direction: Direction::Sides(0, 0),
+        is_along: false,
+        along: [[Ordering::Equal; 3]; 2],
+        is_held: false,
+    };
+
     /// The side on which the opposite shape lies along the direction.
     pub(super) fn toward(&self, shape: usize) -> Ordering {
         if self.is_along == (shape == 0) { Ordering::Less } else { Ordering::Greater }
@@ -75,6 +83,15 @@ pub(super) struct Lengths {
 }
 
 impl Lengths {
+    /// To be filled.
+    pub(super) const NONE: Self = Self {
+        overlap: Soft::ONE,
+        length: Soft::ONE,
+        square: Soft::ONE,
+        depth: Soft::ONE,
+        coordinates: [None; 3],
+    };
+
     /// A vector from the sizes of its coordinates in real units, and whether the scalar can hold
     /// it.
     fn vector<S: Scalar>(
@@ -114,16 +131,18 @@ impl Lengths {
 
     /// The coordinates of the unit vector, in size.
     pub(super) fn ratios(&self) -> [Size; 3] {
-        three(|i| self.coordinates[i].map(|(_, size)| size.over(self.length)))
+        let length = self.length.divisor();
+        self.coordinates.each(|x| x.map(|(_, size)| size.over_by(&length)))
     }
 
     pub(super) fn measures_of<S: Scalar>(&self, is_along: bool, ratios: [Size; 3]) -> Measures<S> {
         let one = i32::from(S::ONE.shift);
         let is_single = self.coordinates.iter().flatten().count() == 1;
+        let square = self.square.divisor();
         let of = |size: Soft| {
-            if is_single { self.depth } else { size.times(self.overlap).over(self.square) }
+            if is_single { self.depth } else { size.times(self.overlap).over_by(&square) }
         };
-        let sizes = three(|i| self.coordinates[i].map(|(_, size)| of(size)));
+        let sizes = self.coordinates.each(|x| x.map(|(_, size)| of(size)));
         let (vector, is_sufficient) = self.vector(is_along, -one, true, sizes);
         let normal = self.vector(is_along, one, false, ratios).0;
         let (m, exponent) = self.depth.scaled(-one).upper();

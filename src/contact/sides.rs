@@ -3,7 +3,7 @@
 
 use core::mem::size_of;
 
-use crate::arithmetic::{Each, REGISTERS_ARE_WIDE, cut, exponent};
+use crate::arithmetic::{Each, REGISTERS_ARE_WIDE, cut, exponent, product};
 use crate::scalar::Scalar;
 
 /// Two coordinates across the normal, in multiples of the unit, rounded toward zero.
@@ -55,7 +55,7 @@ pub(super) fn side(p: &Flat, q: &Flat, to: &Flat) -> i8 {
     if short.abs() > 2 * sizes + 8 {
         return if short > 0 { 1 } else { -1 };
     }
-    let side = i64::from(a) * i64::from(d) - i64::from(b) * i64::from(c);
+    let side = product(a, d) - product(b, c);
     let sizes = [a, b, c, d].each(|x| i64::from(x.unsigned_abs()));
     let margin = 3 * (sizes[0] + sizes[1] + sizes[2] + sizes[3]) + 8;
     i8::from(side > margin) - i8::from(side < -margin)

@@ -4,7 +4,7 @@
 use std::format;
 
 use super::body::{Body, Flat, Rough, Round};
-use super::cut::Cut;
+use super::cut::{Cut, Rounded};
 use super::directions::{Direction, all};
 use super::exact::{Exact, Given, Size, length};
 use super::integers::{Words, is_whole};
@@ -173,18 +173,21 @@ fn words_agree_with_sums() {
 
     fn check_pair<S: Scalar>(first: &impl Shape<S>, second: &impl Shape<S>) -> [usize; 3] {
         let bodies = [first.body(), second.body()];
-        let least = exact_in_words(&bodies, false).ok().flatten();
+        let mut least = (Way::NONE, Lengths::NONE);
+        let is_found = exact_in_words(&bodies, false, &mut least).is_ok_and(|is_found| is_found);
+        let least = is_found.then_some(least);
         let found = least.map(|(way, lengths)| (way.direction, way.is_along, Some(lengths.depth)));
         assert_eq!(found, by_sums(&bodies), "{bodies:?}");
         let pair = Units::of_words::<S>().pair::<Words, S>(&bodies);
         for &direction in all(&bodies) {
             let own = direction.sides(pair.are_triangles);
-            let given: &dyn Given = &pair.along(direction);
+            let given: &dyn Given = &pair.along(direction.numbers(pair.are_triangles));
             let exact = Exact::new(given, pair.are_triangles, own, &NOTHING_IS_KNOWN, [true; 2]);
             let sums = Numbers::Sums.along(&bodies, direction, &NOTHING_IS_KNOWN, [true; 2]);
             assert_eq!(exact, sums, "{direction:?} {bodies:?}");
         }
-        let wanted = Wanted::in_words(all(&bodies), &Cut::new(&pair)).ok();
+        let mut rounded = Rounded::NONE;
+        let wanted = Wanted::in_words(all(&bodies), &Cut::new(&pair, &mut rounded)).ok();
         let left = wanted.map_or(0, |wanted| wanted.iter().count());
         if found.is_some() { [1, left, 1] } else { [0, 0, 1] }
     }

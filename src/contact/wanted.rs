@@ -40,14 +40,14 @@ impl Wanted {
     #[inline(never)]
     pub(super) fn in_words(all: &'static [Direction], cut: &Cut<'_>) -> Result<Self, Apart> {
         let mut wanted = Self { all, against: 0, along: 0 };
-        let needed = cut.needed(all);
+        let mut axes = cut.axes();
+        // Others that are superfluous are left out where one of them may be the least: that is less work.
+        let count = if axes.are_alike() { 3 } else { all.len() };
         let mut measures: [Option<Measured>; 16] = [const { None }; 16];
         let mut least = i32::MAX;
-        for (n, measured) in measures.iter_mut().enumerate() {
-            if needed >> n & 1 == 0 {
-                continue;
-            }
-            let Some(here) = cut.measured(wanted.direction(n)) else { continue };
+        let all_sides = sides_of_all(cut.are_triangles());
+        for (measured, &sides) in measures.iter_mut().zip(all_sides).take(count) {
+            let Some(here) = cut.measured(sides) else { continue };
             if here.are_apart() {
                 return Err(Apart);
             }
@@ -64,6 +64,11 @@ impl Wanted {
                 wanted.against |= bit(false);
                 wanted.along |= bit(true);
             }
+        }
+        if wanted.single().is_none() {
+            let needed = axes.needed(all, |sides, axis| cut.is_clear(sides, axis));
+            wanted.against &= needed;
+            wanted.along &= needed;
         }
         Ok(wanted)
     }

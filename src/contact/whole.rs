@@ -5,7 +5,6 @@
 use core::cmp::Ordering;
 
 use super::body::Body;
-use super::directions::Direction;
 use super::exact::{Given, Size};
 use super::integers::{Integers, Long, Short, Words, is_short};
 use crate::arithmetic::{Bits, Each, Number, REGISTERS_ARE_WIDE, Soft, pick, three, turn};
@@ -201,9 +200,9 @@ impl<N: Integers> Pair<N> {
         unit: 0,
     };
 
-    pub(super) fn along(&self, direction: Direction) -> Along<'_, N> {
-        let own = direction.sides(self.are_triangles);
-        let [x, y] = own.each(|(shape, k)| pick(&self.sides[shape % 2], k));
+    pub(super) fn along(&self, numbers: [u8; 2]) -> Along<'_, N> {
+        let own = numbers.each(|n| if n < 3 { (0, n.into()) } else { (1, usize::from(n) - 3) });
+        let [x, y] = own.each(|(shape, k): (usize, usize)| pick(&self.sides[shape % 2], k));
         let direction = three(|i| {
             let (_, j, k) = turn(i);
             N::area(*pick(x, j), *pick(y, k)) - N::area(*pick(x, k), *pick(y, j))

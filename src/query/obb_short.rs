@@ -37,7 +37,7 @@
 //! Two boxes: E = 1/2 + 6·1/2 = 7/2 and less than 2^-6. A ray and a box: E = 3/2 + 1 + 3·1/2 = 4
 //! and less than 2^-6. [`ERROR`] is above both. `obb_short.g` proves the sums.
 
-use crate::arithmetic::{Each, InRaw, Raw, Word, greatest, out_of_line, three, turn};
+use crate::arithmetic::{Each, InRaw, Raw, Word, greatest, out_of_line, product, three, turn};
 use crate::query::relation::Relation;
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Obb, Ray, Segment, SegmentForm, Vec3};
@@ -113,7 +113,7 @@ pub(super) fn products<const K: usize>(
     let (factors, vectors) = (Raw::cut(factors, cut(long)), Raw::cut(vectors, cut(other)));
     let mut numbers = [[0; 3]; K];
     for k in 0..K {
-        numbers[k] = three(|i| i64::from(factors[k][0]) * i64::from(vectors[k][i]));
+        numbers[k] = three(|i| product(factors[k][0], vectors[k][i]));
     }
     let left = |bits: i32| bits - cut(bits);
     Scaled { numbers, exponent, end: left(long) + left(other) + exponent }
@@ -267,7 +267,7 @@ fn relation<const K: usize>(way: &[i32; 3], spans: &[[i32; 3]; K]) -> Option<Rel
 fn cross(a: &[i32; 3], b: &[i32; 3]) -> [i64; 3] {
     three(|i| {
         let (_, j, k) = turn(i);
-        i64::from(a[j]) * i64::from(b[k]) - i64::from(a[k]) * i64::from(b[j])
+        product(a[j], b[k]) - product(a[k], b[j])
     })
 }
 

@@ -1,4 +1,4 @@
-use super::{ROOT_ROUNDOFFS, Slack, Soft, root, whole};
+use super::{Divisor, ROOT_ROUNDOFFS, Slack, Soft, inverse, root, whole};
 use crate::arithmetic::{Double, Each};
 use crate::random::Random;
 
@@ -68,19 +68,23 @@ fn both_divisions_agree() {
             let ((a, s), (b, t)) = (num.parts(), den.parts());
             let (least, most) = ((a << 63) / (b + t), ((a + s) << 63).div_ceil(b));
             let expected = Soft::of(least, most - least, num.exponent - den.exponent - 63);
-            assert_eq!(num.over_by_reciprocal(*den), expected, "{num:?} / {den:?}");
+            assert_eq!(
+                num.over_by_inverse(&Divisor { of: *den, inverse: inverse(den.mantissa) }),
+                expected,
+                "{num:?} / {den:?}"
+            );
             assert_eq!(num.over(*den), expected, "{num:?} / {den:?}");
         }
     }
 }
 
 #[test]
-fn roots_by_places_are_those_of_whole_numbers() {
+fn roots_by_reciprocals_are_those_of_whole_numbers() {
     let some = [0, 1, 2, 3, 4, 99, 1 << 62, (1 << 63) + 1, u64::MAX - 1, u64::MAX];
     let least = 1 << 126;
     let check = |square: u128| {
         let root = square.isqrt();
-        let found = super::root_by_places(square);
+        let found = super::root_by_reciprocal(square);
         assert_eq!((found.0.into(), found.1), (root, root * root == square), "{square}");
     };
     for x in some.map(u128::from) {
