@@ -58,7 +58,7 @@ pub use number::{Limbed, Number};
 pub(crate) use number::{compare, greatest, largest, least, sign};
 pub(crate) use offset::Offset;
 pub use parts::Parts;
-pub(crate) use parts::{Bits, cut, exp2, exponent};
+pub(crate) use parts::{Bits, cut, exp2, exponent, is_zero, multiple, raised, short_product};
 pub(crate) use platform::{
     REGISTERS_ARE_WIDE, SMALL_CODE, is_software, out_of_line, out_of_line_if_wide, part,
 };

@@ -1,5 +1,10 @@
 //! Numbers in parts: sign, magnitude and exponent, and the bits of a float.
 
+use core::hint::black_box;
+
+use super::limbs::word_product;
+use super::platform::is_software;
+
 /// A number as sign, integer magnitude and power of two, in units of the least number of its type.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Parts {
@@ -101,6 +106,61 @@ pub(crate) fn cut(x: f64, unit: i32) -> i32 {
 #[inline(always)]
 pub(crate) const fn exp2(n: i32) -> f64 {
     f64::from_bits(((1023 + n) as u64) << 52)
+}
+
+/// x·2^n, if both are normal numbers.
+#[inline(always)]
+pub(crate) fn raised(x: f64, n: i32) -> f64 {
+    f64::from_bits(x.to_bits().wrapping_add((n as u64) << (f64::MANTISSA_DIGITS - 1)))
+}
+
+/// x·y: where products of floats are functions, by one product of words if these hold both mantissas.
+#[inline]
+pub(crate) fn short_product(x: f64, y: f64) -> f64 {
+    if is_software::<f64>() { product_in_words(x, y) } else { x * y }
+}
+
+#[inline(never)]
+fn product_in_words(x: f64, y: f64) -> f64 {
+    // The mantissa, and whether that is all.
+    let word = |x: f64| {
+        let bits = x.to_bits();
+        ((bits >> 21) as u32 | 1 << 31, (bits as u32) << 11 == 0 && exponent(x) > 0)
+    };
+    let sign = (x.to_bits() ^ y.to_bits()) >> 63 << 63;
+    // As an axis often is.
+    if is_zero(y) && exponent(x) < 2047 {
+        return f64::from_bits(sign);
+    }
+    let ((a, is_all), (b, are_all)) = (word(x), word(y));
+    let product = word_product(a, b);
+    let is_less = product >> 63 == 0;
+    let (mantissa, up) = (product << u32::from(is_less), exponent(x) + exponent(y) - 1023);
+    let power = up + i32::from(!is_less);
+    if is_all && are_all && mantissa << 53 == 0 && (1..2047).contains(&power) {
+        return f64::from_bits(sign | (power as u64) << 52 | mantissa << 1 >> 12);
+    }
+    x * y
+}
+
+/// A float in multiples of 2^`unit`, if it is one and below 2^52 of them.
+pub(crate) fn multiple(x: f64, unit: i32) -> Option<i64> {
+    let bits = x.to_bits();
+    if is_zero(x) {
+        return Some(0);
+    }
+    let mantissa = bits & ((1 << 52) - 1) | 1 << 52;
+    let down =
+        u32::try_from(unit + 1075 - exponent(x)).ok().filter(|down| (1..=52).contains(down))?;
+    let size = mantissa >> down;
+    let size = (size << down == mantissa).then_some(size as i64)?;
+    Some(if bits >> 63 == 0 { size } else { -size })
+}
+
+/// Whether a float is zero, where a comparison is a function, of which the compiler makes one of bits too.
+#[inline(always)]
+pub(crate) fn is_zero(x: f64) -> bool {
+    exponent(x) == 0 && black_box(x.to_bits()) << 1 == 0
 }
 
 /// The exponent of a float, as its bits have it.

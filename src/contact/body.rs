@@ -1,6 +1,9 @@
 //! The shapes that have contacts as one type, in floats and in exact numbers.
 
-use crate::arithmetic::{self, Double, Each, Filtered, Parts, part, pick, three, turn};
+use crate::arithmetic::{
+    self, Double, Each, Filtered, Parts, exponent, is_software, is_zero, minus3, part, pick, three,
+    turn,
+};
 use crate::robust::{Linear, Vector, add_determinant, along_axis, differences, singles};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Obb, Triangle, Vec3};
@@ -86,9 +89,24 @@ impl<S: Scalar> Body<'_, S> {
     pub(super) fn rough(&self, origin: &Self, scale: f64) -> Rough {
         let origin = origin.origin();
         let less = |x: S, other: S| difference_in_double(x, other, scale);
-        let from =
-            |x: &Place<S>| three(|i| (less(x.0[i], origin.0[i]) + less(x.1[i], origin.1[i])) * 0.5);
-        let lengths = |x: [S; 3]| three(|i| scaled::<S>(x[i].in_double(), scale));
+        let from = |x: &Place<S>| {
+            // Fixed point halves a sum of two equal numbers without a rounding.
+            let is_one = is_software::<f64>() && S::FLOAT.is_none() && x.0 == x.1;
+            let is_one = is_one && origin.0 == origin.1;
+            part(|| {
+                let mut all = [0.0; 3];
+                for (i, to) in all.iter_mut().enumerate() {
+                    *to = less(*pick(&x.0, i), *pick(&origin.0, i));
+                    if !is_one {
+                        *to = (*to + less(*pick(&x.1, i), *pick(&origin.1, i))) * 0.5;
+                    }
+                }
+                all
+            })
+        };
+        let in_double =
+            |x: [S; 3], scale: f64| part(|| x.each(|x| scaled::<S>(x.in_double(), scale)));
+        let lengths = |x: [S; 3]| in_double(x, scale);
         let aligned = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
         let (sides, half) = match self {
             Self::Triangle(t) => {
@@ -109,10 +127,7 @@ impl<S: Scalar> Body<'_, S> {
                 }
             },
             Self::Obb(obb) => (
-                three(|k| {
-                    let axis = obb.axes()[k].to_array();
-                    three(|i| axis[i].in_double())
-                }),
+                obb.axes().each(|axis| in_double(axis.to_array(), 1.0)),
                 lengths(obb.half_extents().to_array()),
             ),
         };
@@ -205,10 +220,74 @@ pub(super) fn flipped(x: f64, is_negative: bool) -> f64 {
 }
 
 pub(super) fn cross(x: &Vec64, y: &Vec64) -> Vec64 {
+    if is_software::<f64>() {
+        return three(|i| {
+            let (_, j, k) = turn(i);
+            sum_by_functions(&[*pick(x, j), -*pick(x, k)], &[*pick(y, k), *pick(y, j)])
+        });
+    }
     arithmetic::cross::<Filtered<f64>>(x, y)
 }
 
 #[inline]
 pub(super) fn dot(x: &Vec64, y: &Vec64) -> f64 {
-    arithmetic::dot::<Filtered<f64>>(x, y)
+    if is_software::<f64>() {
+        sum_by_functions(x, y)
+    } else {
+        arithmetic::dot::<Filtered<f64>>(x, y)
+    }
+}
+
+/// a − b.
+#[inline]
+pub(super) fn minus(a: &Vec64, b: &Vec64) -> Vec64 {
+    if is_software::<f64>() { three_by_functions(a, None, b) } else { minus3(a, b) }
+}
+
+/// a + t·b.
+#[inline]
+pub(super) fn along(a: &Vec64, t: f64, b: &Vec64) -> Vec64 {
+    if is_software::<f64>() {
+        return three_by_functions(a, Some(t), b);
+    }
+    [a[0] + t * b[0], a[1] + t * b[1], a[2] + t * b[2]]
+}
+
+/// a + t·b, or a − b, where each operation is a function.
+#[inline(never)]
+fn three_by_functions(a: &Vec64, t: Option<f64>, b: &Vec64) -> Vec64 {
+    let mut all = *a;
+    let is_finite = t.is_none_or(|t| exponent(t) < 2047);
+    for (to, &b) in all.iter_mut().zip(b) {
+        // Nothing is added, as often along an axis. A zero may have another sign.
+        if is_finite && is_zero(b) && !is_zero(*to) {
+            continue;
+        }
+        *to = match t {
+            Some(t) => *to + t * b,
+            None => *to - b,
+        };
+    }
+    all
+}
+
+/// The sum of products, where each operation is a function. A product with zero, which an axis and a direction
+/// often have, adds nothing to a sum that is not zero.
+#[inline(never)]
+fn sum_by_functions(x: &[f64], y: &[f64]) -> f64 {
+    let is_nothing = |x: f64, y: f64| is_zero(x) && exponent(y) < 2047;
+    let mut sum = 0.0;
+    for is_whole in [false, true] {
+        let terms = x.iter().zip(y);
+        let mut some = terms
+            .filter(|&(&x, &y)| is_whole || !(is_nothing(x, y) || is_nothing(y, x)))
+            .map(|(x, y)| x * y);
+        let first = some.next().unwrap_or(0.0);
+        sum = some.fold(first, |sum, product| sum + product);
+        // A zero may have another sign.
+        if !is_zero(sum) {
+            break;
+        }
+    }
+    sum
 }

@@ -1,12 +1,12 @@
 //! The overlap of two faces, seen along the normal of a contact.
 
 use super::answer::Part;
-use super::body::{Vec64, dot};
+use super::body::{Vec64, along, dot, minus};
 use super::faces::{CORNERS, Face, Known, next, ones, parts, transposed, within};
 use super::quads::Quads;
 use super::sides::side;
-use super::view::{Corner, Pair, Pairs, View, along, flat};
-use crate::arithmetic::{Each, REGISTERS_ARE_WIDE, minus3};
+use super::view::{Corner, Pair, Pairs, View, flat};
+use crate::arithmetic::{Each, REGISTERS_ARE_WIDE};
 
 /// The corners of a face as seen from another.
 struct Seen<'a, T> {
@@ -51,7 +51,7 @@ impl<T: Known> Seen<'_, T> {
             }
         }
         let at = lowest?.at;
-        (dot(&minus3(&to.at, &at), outward) >= -view.tolerance).then_some(at)
+        (dot(&minus(&to.at, &at), outward) >= -view.tolerance).then_some(at)
     }
 }
 
@@ -110,8 +110,8 @@ impl Known for Words<'_> {
         if !is_within {
             return None;
         }
-        let at = along(&base.at, s, &minus3(&a.at, &base.at));
-        let at = along(&at, t, &minus3(&b.at, &base.at));
+        let at = along(&base.at, s, &minus(&a.at, &base.at));
+        let at = along(&at, t, &minus(&b.at, &base.at));
         // Certain where no float overflows: see `parts`.
         (view.unit.is_some() || view.allows(&view.corner(at), to)).then_some(at)
     }
@@ -154,7 +154,7 @@ fn add<'a>(
     at: [Vec64; 2],
     outward: &Vec64,
 ) -> Option<&'a mut [Part; 2]> {
-    let depth = dot(&minus3(&at[0], &at[1]), outward);
+    let depth = dot(&minus(&at[0], &at[1]), outward);
     if depth >= -view.tolerance { found.add(Pair { at, depth }, view.tolerance) } else { None }
 }
 

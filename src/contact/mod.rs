@@ -111,6 +111,7 @@
 //! nearer to the triangle beyond that edge, whose contact is deeper. There it has no contact with the
 //! first triangle.
 
+mod against;
 mod answer;
 mod apart;
 mod body;

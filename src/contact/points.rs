@@ -1,7 +1,7 @@
 //! Contact points: where shapes touch after the least translation.
 
 use super::answer::{Features, MOST, Part, Point, Points};
-use super::body::{Body, Place, Rough, Vec64, difference_in_double, dot, flipped, scaled};
+use super::body::{Body, Place, Rough, Vec64, difference_in_double, dot, flipped, minus, scaled};
 use super::clip::clip;
 use super::directions::Direction;
 use super::faces::{Face, ones};
@@ -9,7 +9,7 @@ use super::measures::{Directed, Way};
 use super::sides::Unit;
 use super::solid::{Solid, edge_of_box};
 use super::view::{Edge, Pair, Pairs, View, distance};
-use crate::arithmetic::{Each, exp2, greatest, minus3, out_of_line, part, three, two};
+use crate::arithmetic::{Each, exp2, greatest, out_of_line, part, three, two};
 use crate::scalar::Scalar;
 use crate::shape::Vec3;
 
@@ -170,7 +170,7 @@ fn by_any_faces(view: &View, [shape, other]: [&Solid<'_>; 2], outward: &Vec64, f
         // The coordinates overflow f64.
         let lowest = |shape| Face::new(view, shape, 0).lowest(outward);
         let ((below, first), (at, second)) = (lowest(shape), lowest(other));
-        let depth = dot(&minus3(&below, &at), outward);
+        let depth = dot(&minus(&below, &at), outward);
         if let Some(parts) = found.add(Pair { at: [below, at], depth }, 0.0) {
             *parts = [first, second].each(Part::Vertex);
         }
@@ -213,7 +213,7 @@ fn by_edges(
             let [x, y] = edge.meet(&other, edge.sides(&other));
             let apart = distance(&x, &y);
             if apart <= nearest {
-                let depth = greatest(dot(&minus3(&y.at, &x.at), normal), 0.0);
+                let depth = greatest(dot(&minus(&y.at, &x.at), normal), 0.0);
                 let parts = [Part::Edge(edge.number), Part::Edge(other.number)];
                 (found.pairs[0], found.parts[0]) = (Pair { at: [x.at, y.at], depth }, parts);
                 (found.count, nearest) = (1, apart);
@@ -226,7 +226,11 @@ fn by_edges(
 #[inline(never)]
 fn rounded<S: Scalar>(found: &Pairs, origin: &Place<S>, scale: f64, is_second: bool) -> Points<S> {
     // The origin is the mean of two places; this is the offset from the first.
-    let offset = three(|i| difference_in_double(origin.1[i], origin.0[i], scale) * 0.5);
+    let is_whole = |i: usize| S::FLOAT.is_none() && origin.0[i] == origin.1[i];
+    let offset = three(|i| {
+        let difference = || difference_in_double(origin.1[i], origin.0[i], scale) * 0.5;
+        if is_whole(i) { 0.0 } else { difference() }
+    });
     // Exact, of a power of two.
     let unit = 1.0 / scale;
     // A large offset may overflow where the sum does not: add its half twice.
@@ -241,7 +245,8 @@ fn rounded<S: Scalar>(found: &Pairs, origin: &Place<S>, scale: f64, is_second: b
         })
     };
     let place = |at: &Vec64| {
-        let [x, y, z] = three(|i| plus(origin.0[i], at[i] + offset[i]));
+        let [x, y, z] =
+            three(|i| plus(origin.0[i], if is_whole(i) { at[i] } else { at[i] + offset[i] }));
         Vec3::new(x, y, z)
     };
     // Without a branch.

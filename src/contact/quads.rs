@@ -140,9 +140,10 @@ fn points(view: &View, from: &Face, to: &[Four; 2]) -> (u32, [[f64; CORNERS]; 3]
 #[cfg(test)]
 mod tests {
     use super::super::body::Rough;
+    use super::super::body::along;
     use super::super::sides::Unit;
     use super::super::solid::Solid;
-    use super::super::view::{Corner, along};
+    use super::super::view::Corner;
     use super::*;
     use crate::random::Random;
 

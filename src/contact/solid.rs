@@ -1,8 +1,12 @@
 //! A shape in floats: its corners, and its faces and edges along a direction.
 
+use super::against;
 use super::body::{Rough, Vec64, cross, dot, flipped};
 use super::view::{Corner, Four, View};
-use crate::arithmetic::{Each, Quad, exp2, greatest, largest, pick, three, turn, two};
+use crate::arithmetic::{
+    Each, Quad, exp2, exponent, greatest, is_software, largest, multiple, pick, raised,
+    short_product, three, turn, two,
+};
 
 /// The squared sine of an angle far above all roundings.
 const CLEAR: f64 = exp2(-40);
@@ -71,15 +75,43 @@ pub(super) struct Solid<'a> {
     pub(super) reach: [Vec64; 3],
     /// An upper bound of the coordinates of all corners.
     pub(super) size: f64,
+    /// Where floats are functions: the centre of a box and its half-edges in multiples of 2^`unit`, if
+    /// `are_words`. Their sums are below 2^53 and so are exact as floats.
+    words: [[i64; 3]; 4],
+    unit: i32,
+    are_words: bool,
 }
 
 impl<'a> Solid<'a> {
     pub(super) fn new(rough: &'a Rough) -> Self {
-        let reach = three(|k| three(|i| rough.half[k] * rough.sides[k][i]));
+        let mut reach = rough.sides;
+        for (reach, &half) in reach.iter_mut().zip(&rough.half) {
+            for x in reach {
+                *x = short_product(half, *x);
+            }
+        }
         let [a, b, c] = three(|k| largest(&rough.at[k]));
         let farthest = greatest(a, greatest(b, c));
         let size = reach.iter().fold(farthest, |size, reach| size + largest(reach));
-        Self { rough, reach, size }
+        // Below 2^52 of it.
+        let unit = exponent(size) - 1023 - 51;
+        let mut new = Self { rough, reach, size, are_words: false, words: [[0; 3]; 4], unit };
+        new.are_words = is_software::<f64>() && !rough.is_triangle && new.fill_words();
+        new
+    }
+
+    /// Whether all numbers are multiples of the unit.
+    fn fill_words(&mut self) -> bool {
+        let [x, y, z] = &self.reach;
+        for (to, v) in self.words.iter_mut().zip([&self.rough.at[0], x, y, z]) {
+            for (to, &x) in to.iter_mut().zip(v) {
+                let Some(whole) = multiple(x, self.unit) else { return false };
+                *to = whole;
+            }
+        }
+        // The sums are normal numbers, by far, and none is a zero below zero.
+        let is_negative_zero = |x: &f64| x.to_bits() == 1 << 63;
+        (-900..900).contains(&self.unit) && !self.rough.at[0].iter().any(is_negative_zero)
     }
 
     /// The numbers of its faces.
@@ -103,9 +135,17 @@ impl<'a> Solid<'a> {
 
     /// The corner of a box of this number.
     pub(super) fn corner(&self, vertex: u8) -> Vec64 {
+        let is_lower = |k: usize| vertex >> k & 1 == 0;
+        if self.are_words {
+            let [at, x, y, z] = &self.words;
+            let along = |v: &[i64; 3], k: usize, i: usize| if is_lower(k) { -v[i] } else { v[i] };
+            return three(|i| {
+                let sum = at[i] + along(x, 0, i) + along(y, 1, i) + along(z, 2, i);
+                if sum == 0 { 0.0 } else { raised(sum as f64, self.unit) }
+            });
+        }
         (0..3).fold(self.rough.at[0], |at, k| {
-            let is_lower = vertex >> k & 1 == 0;
-            three(|i| at[i] + flipped(self.reach[k][i], is_lower))
+            three(|i| at[i] + flipped(self.reach[k][i], is_lower(k)))
         })
     }
 
@@ -133,10 +173,12 @@ impl<'a> Solid<'a> {
 
     /// The axes of a box, divided by their greatest coordinates.
     fn units(&self) -> [Vec64; 3] {
-        self.rough.sides.each(|side| {
-            let size = largest(&side);
-            three(|i| side[i] / size)
-        })
+        let mut units = self.rough.sides;
+        for side in &mut units {
+            let size = largest(side);
+            side.iter_mut().for_each(|x| *x /= size);
+        }
+        units
     }
 
     /// The face most nearly antiparallel to `outward`, the normal of another shape's face, among those of
@@ -145,8 +187,13 @@ impl<'a> Solid<'a> {
         if self.rough.is_triangle {
             return 0;
         }
+        if is_software::<f64>() {
+            if let Some(number) = against::face_against(&self.rough.sides, outward, of, upper) {
+                return number;
+            }
+        }
         let number = |k: u8| 2 * k + (upper >> k & 1);
-        if of.is_power_of_two() {
+        if !is_software::<f64>() && of.is_power_of_two() {
             // No comparison, and no quotients for it. Without a normal the comparison finds face 0.
             let number = number(of.trailing_zeros() as u8 % 3);
             if self.has_normal(number) {
@@ -215,6 +262,68 @@ fn facing(axes: &[Vec64; 3], number: u8, outward: &Vec64) -> f64 {
 mod tests {
     use super::*;
     use crate::random::Random;
+
+    /// What half words choose is what floats choose, and mostly they choose.
+    #[test]
+    fn half_words_choose_as_floats() {
+        let mut random = Random(0xa9a1);
+        let mut number = || f64::from(random.bits() as i32) * 2_f64.powi(-31);
+        let mut certain = 0;
+        for n in 0..40_000_u32 {
+            let mut sides = [(); 3].each(|()| three(|_| number()));
+            if n % 4 > 0 {
+                // Mostly perpendicular, or nearly.
+                sides[1] = cross(&sides[0], &sides[2]);
+                let off = [0.0, 0.3, 1e-3][n as usize % 3];
+                sides[2] = cross(&sides[0], &sides[1]).each(|x| x + off * number());
+            }
+            let way = three(|_| number());
+            let near = pick(&sides, n as usize / 8 % 3);
+            let outward = if n % 8 < 4 { way } else { three(|i| near[i] + 0.2 * way[i]) };
+            let length = dot(&outward, &outward).sqrt();
+            let outward = outward.each(|x| x / length);
+            let axes = sides.each(|side| side.each(|x| x / largest(&side)));
+            let (of, upper) = (3 + 4 * (n as u8 % 2), n as u8 >> 3 & 7);
+            let number = |k: u8| 2 * k + (upper >> k & 1);
+            let value = |k: u8| facing(&axes, number(k), &outward);
+            let best = (1..3)
+                .filter(|k| of >> k & 1 == 1)
+                .fold(0, |best, k| if value(k) > value(best) { k } else { best });
+            if let Some(found) = against::face_against(&sides, &outward, of, upper) {
+                assert_eq!(found, number(best), "{sides:?} {outward:?}");
+                certain += 1;
+            }
+        }
+        assert!((5_000..30_000).contains(&certain), "{certain}");
+    }
+
+    /// The corners of boxes by words are those by floats, bit by bit.
+    #[test]
+    fn corners_in_words_are_those_in_floats() {
+        let mut random = Random(0xc0de);
+        let mut known = 0;
+        for n in 0..4000_u32 {
+            let mut number = |bits: u64| {
+                let cut = (random.bits() as i32) >> (random.bits() % 31);
+                f64::from(cut) * 2_f64.powi(-(bits as i32)) * f64::from(n % 5 != 0)
+            };
+            let sides = [(); 3].each(|()| three(|_| number(16)));
+            let half = three(|_| number(16).abs());
+            let rough = Rough { is_triangle: false, at: [three(|_| number(17)); 3], sides, half };
+            let mut solid = Solid::new(&rough);
+            if !solid.fill_words() {
+                continue;
+            }
+            known += 1;
+            for vertex in 0..8 {
+                solid.are_words = false;
+                let expected = solid.corner(vertex);
+                solid.are_words = true;
+                assert_eq!(solid.corner(vertex).each(f64::to_bits), expected.each(f64::to_bits));
+            }
+        }
+        assert!(known > 2000, "{known}");
+    }
 
     /// With one candidate, also where its sides are parallel.
     #[test]

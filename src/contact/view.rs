@@ -6,16 +6,11 @@
 //! normal have an error.
 
 use super::answer::{MOST, Part};
-use super::body::{Vec64, cross, dot};
+use super::body::{Vec64, along, cross, dot, minus};
 use super::sides::Unit;
 use crate::arithmetic::{
-    Each, Float, OfFour, Quad, REGISTERS_ARE_WIDE, greatest, largest, minus3, turn, two,
+    Each, Float, OfFour, Quad, REGISTERS_ARE_WIDE, greatest, largest, turn, two,
 };
-
-/// a + t·b.
-pub(super) fn along(a: &Vec64, t: f64, b: &Vec64) -> Vec64 {
-    [a[0] + t * b[0], a[1] + t * b[1], a[2] + t * b[2]]
-}
 
 /// A number of each of four points.
 pub(super) type Four = <f64 as OfFour>::Quad;
@@ -136,7 +131,7 @@ impl Edge<'_> {
         let (d, e) = (flat(to, &p.flat), flat(&q.flat, &p.flat));
         let square = e[0] * e[0] + e[1] * e[1];
         let t = clamped((d[0] * e[0] + d[1] * e[1]) / square);
-        (t, along(&p.at, t, &minus3(&q.at, &p.at)))
+        (t, along(&p.at, t, &minus(&q.at, &p.at)))
     }
 
     /// The signed distances of the ends of another edge from this one, times this edge's length.
@@ -228,7 +223,7 @@ impl Pairs {
     #[inline]
     pub(super) fn add(&mut self, pair: Pair, tolerance: f64) -> Option<&mut [Part; 2]> {
         let is_near = |other: &Pair| {
-            let apart = |n: usize| largest(&minus3(&pair.at[n], &other.at[n]));
+            let apart = |n: usize| largest(&minus(&pair.at[n], &other.at[n]));
             apart(0) <= 2.0 * tolerance && apart(1) <= 2.0 * tolerance
         };
         let n = self.count;

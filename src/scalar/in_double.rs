@@ -2,7 +2,7 @@
 
 use crate::arithmetic::whole;
 #[cfg(feature = "fixed")]
-use crate::arithmetic::{InRaw, REGISTERS_ARE_WIDE, Word, cut, exp2, exponent};
+use crate::arithmetic::{InRaw, REGISTERS_ARE_WIDE, Word, cut, exp2, exponent, raised};
 
 /// Conversions between a scalar and `f64`: grids, contacts and times compute in it.
 pub(crate) trait InDouble: Copy {
@@ -95,9 +95,16 @@ float!(f64, u64);
 fn times_two_to(x: f64, n: i32) -> f64 {
     // Neither zero nor near an end.
     if !REGISTERS_ARE_WIDE && (65..2047 - 64).contains(&exponent(x)) {
-        return f64::from_bits(x.to_bits().wrapping_add((n as u64) << 52));
+        return raised(x, n);
     }
     x * exp2(n)
+}
+
+/// x·2^n, for n from −64 to 64, where an operation of floats is a function, by one.
+#[cfg(feature = "fixed")]
+#[inline(never)]
+fn of_whole(x: i64, n: i32) -> f64 {
+    if x == 0 { 0.0 } else { raised(x as f64, n) }
 }
 
 /// x·2^`places` plus a half of its sign, rounded twice: to a float, and toward zero. In words, where a sum of
@@ -138,10 +145,17 @@ impl<S: InRaw> InDouble for S {
     }
     #[inline]
     fn in_double(self) -> f64 {
+        if !REGISTERS_ARE_WIDE {
+            return of_whole(self.raw().into(), -S::FRACTION_BITS);
+        }
         times_two_to(self.units(), -S::FRACTION_BITS)
     }
     #[inline]
     fn beyond_in_double(self, other: Self) -> f64 {
+        if !REGISTERS_ARE_WIDE && S::Raw::BITS <= 32 {
+            let [a, b]: [i64; 2] = [self.raw().into(), other.raw().into()];
+            return of_whole(a - b, -S::FRACTION_BITS);
+        }
         times_two_to(self.units_beyond(other), -S::FRACTION_BITS)
     }
     fn plus_double(self, offset: f64) -> Self {
