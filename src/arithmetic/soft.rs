@@ -143,7 +143,7 @@ impl Soft {
         let (s, t) = (self.slack, other.slack);
         let slack = slack_product(self.mantissa, t)
             + slack_product(other.mantissa, s)
-            + slack_product(s.into(), t);
+            + slack_product(u128::from(s) as u64, t);
         let value = limb_product(self.mantissa, other.mantissa);
         Self::of_leading(value, slack, self.exponent + other.exponent)
     }
@@ -161,7 +161,7 @@ impl Soft {
         };
         // One for the bits cut off the lesser number, and one for those cut off its slack.
         let is_whole = down < 128 && b.mantissa.trailing_zeros() + 63 >= down && b.slack == 0;
-        let loss = shifted(b.slack.into()) + if is_whole { 0 } else { 2 };
+        let loss = shifted(u128::from(b.slack) as u64) + if is_whole { 0 } else { 2 };
         let value = (u128::from(a.mantissa) << 63) + shifted(b.mantissa);
         Self::of_leading(value, (u128::from(a.slack) << 63) + loss, a.exponent - 63)
     }
