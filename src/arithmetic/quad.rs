@@ -4,7 +4,8 @@
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Sub};
 
-use super::number::Number;
+use super::float::Float;
+use super::number::{Number, greatest};
 
 #[cfg(not(all(
     feature = "simd",
@@ -77,6 +78,29 @@ pub trait Quad:
     fn three(self) -> [Self::Lane; 3] {
         let [x, y, z, _] = self.to_array();
         [x, y, z]
+    }
+
+    /// The greatest of the first three lanes.
+    #[inline(always)]
+    fn most(self) -> Self::Lane {
+        let [x, y, z] = self.three();
+        greatest(greatest(x, y), z)
+    }
+
+    /// The dot product of the first three lanes, summed in order.
+    #[inline(always)]
+    fn dot(self, other: Self) -> Self::Lane {
+        let [x, y, z] = (self * other).three();
+        x + y + z
+    }
+
+    /// A half of each lane.
+    #[inline(always)]
+    fn halved(self) -> Self
+    where
+        Self::Lane: Float,
+    {
+        self * Self::splat(Self::Lane::HALF)
     }
 
     /// (y, z, x).

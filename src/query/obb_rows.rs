@@ -2,7 +2,7 @@
 //! another vector comes out for all three at once. The operations are those of
 //! [`cross3`](crate::arithmetic::cross3) and [`dot3`](crate::arithmetic::dot3), in the same order.
 
-use crate::arithmetic::{Each, Float, InFloat, Number, Quad, greatest, three_in_float};
+use crate::arithmetic::{Each, Float, InFloat, Number, Quad, three_in_float};
 use crate::scalar::Scalar;
 use crate::shape::Obb;
 
@@ -117,14 +117,8 @@ pub(super) fn fits<S: InFloat<Q::Lane>, Q: Quad<Lane: Float>, const K: usize>(
 ) -> bool {
     let Some(limit) = S::LIMIT else { return true };
     let zero = Q::splat(Q::Lane::ZERO);
-    most(rows.iter().fold(zero, |most, row| most.greatest(Q::of_three(*row).magnitude()))) < limit
-}
-
-/// The greatest of the first three lanes.
-#[inline(always)]
-pub(super) fn most<Q: Quad>(row: Q) -> Q::Lane {
-    let [x, y, z] = row.three();
-    greatest(greatest(x, y), z)
+    let most = rows.iter().fold(zero, |most, row| most.greatest(Q::of_three(*row).magnitude()));
+    most.most() < limit
 }
 
 /// Random inputs for tests that compare the rows with the single-number kernels.

@@ -22,6 +22,12 @@ pub(super) fn one_sided<W: Word>(shapes: &[Projection<W>; 3]) -> bool {
     in_areas::<W, W::Sum, Closed>(shapes)
 }
 
+/// Whether one of all 13 axes separates.
+#[inline(always)]
+pub(super) fn are_disjoint<W: Word>(shapes: &[Projection<W>; 3]) -> bool {
+    Projection::are_apart(shapes) || one_sided(shapes)
+}
+
 /// How a triangle and a box lie to each other.
 ///
 /// The interiors are disjoint exactly if an axis has a gap of zero or more, unless both shapes
@@ -31,7 +37,7 @@ pub(super) fn one_sided<W: Word>(shapes: &[Projection<W>; 3]) -> bool {
 pub(super) fn relation<W: Word>(shapes: &[Projection<W>; 3]) -> Relation {
     if !shapes.iter().any(Projection::may_touch) && !one_sided_or_touching(shapes) {
         Relation::Overlapping
-    } else if Projection::are_apart(shapes) || one_sided(shapes) {
+    } else if are_disjoint(shapes) {
         Relation::Disjoint
     } else {
         Relation::Touching

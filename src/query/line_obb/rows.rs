@@ -7,7 +7,7 @@ use super::{Disjoint, Line};
 use crate::arithmetic::{
     Filtered, Float, InFloat, Number, Quad, THREE, cross3, greatest, three_in_float,
 };
-use crate::query::obb_rows::{ObbInFloats, Vectors, fits, holds_one, most};
+use crate::query::obb_rows::{ObbInFloats, Vectors, fits, holds_one};
 use crate::query::triangle_obb::lie_along_one_axis;
 use crate::robust::Uncertain;
 use crate::scalar::Scalar;
@@ -49,7 +49,7 @@ impl<F: Float> Operands<F> {
     fn is_separated<S: InFloat<F>, Q: Quad<Lane = F>>(&self) -> Option<bool> {
         let Self { m, d, ends: [from, to], .. } = *self;
         let (u, h) = (Vectors::<Q>::new(&self.u), Q::of_three(self.h));
-        let axes = most(u.largest());
+        let axes = u.largest().most();
         if S::LIMIT.is_some_and(|limit| axes >= limit * S::PLACE) {
             return None;
         }

@@ -6,7 +6,7 @@
 use super::error_bound::{ErrorBound, Sizes, error_bound};
 use super::kernel::Operands;
 use crate::arithmetic::{Each, Filtered, OfFour, Quad, THREE, greatest, least, lost_in_row};
-use crate::query::obb_rows::{Vectors, most};
+use crate::query::obb_rows::Vectors;
 
 /// Numbers of three slabs, or of two, twice.
 pub(super) type Four = <f64 as OfFour>::Quad;
@@ -35,7 +35,7 @@ impl Slabs {
     pub(super) fn new(s: &Operands<f64>) -> Option<Self> {
         let u = Vectors::<Four>::new(&s.u);
         // At t = 0: numerators and divisors do not contain the ray's range.
-        let sizes = Sizes { axes: greatest(most(u.largest()), s.one), ends: 0.0, ..s.sizes() };
+        let sizes = Sizes { axes: greatest(u.largest().most(), s.one), ends: 0.0, ..s.sizes() };
         let ErrorBound { direction: error, face, .. } =
             error_bound::<Filtered<f64>>(s.one, &sizes)?;
         let w = u.normals();
@@ -54,7 +54,7 @@ impl Slabs {
             let inside = reach - middle.magnitude();
             [near, far] = along_slabs([near, far], inside, [face, error], parallel);
         }
-        let (enter, leave) = ([most(near[0]), most(near[1])], [fewest(far[0]), fewest(far[1])]);
+        let (enter, leave) = (near.each(Four::most), far.each(fewest));
         Some(Self { w, along, middle, volume, near, far, enter, leave, sizes, error })
     }
 

@@ -6,7 +6,7 @@ use super::error_bound::error_bound;
 use super::floats::{Doubt, of_boxes};
 use super::kernel::Boxes;
 use crate::arithmetic::{Each, Filtered, Float, InFloat, Quad, THREE, greatest};
-use crate::query::obb_rows::{Vectors, most, transposed};
+use crate::query::obb_rows::{Vectors, transposed};
 use crate::query::relation::{Asked, Relation};
 use crate::scalar::Scalar;
 
@@ -41,11 +41,11 @@ impl<F: Float> Boxes<F> {
         let (u, v) = (Vectors::<Q>::new(&self.u), Vectors::new(&self.v));
         let rows = |x: [F; 3]| Q::of_three(x);
         let one = F::from(1);
-        let axes = most(u.largest().greatest(v.largest()));
+        let axes = u.largest().greatest(v.largest()).most();
         if S::LIMIT.is_some_and(|limit| axes >= limit * S::PLACE) {
             return None;
         }
-        let (way, half) = (most(rows(d).magnitude()), most(rows(h).greatest(rows(k))));
+        let (way, half) = (rows(d).magnitude().most(), rows(h).greatest(rows(k)).most());
         let error = error_bound::<Filtered<F>>(one, greatest(axes, one), way, half)?;
 
         // The sum of three rows, each times a number.

@@ -11,7 +11,6 @@
 
 use super::Overlaps;
 use crate::arithmetic::{Arithmetic, Filtered, FirstFloat, Float, Number, OfFour, Quad, THREE};
-use crate::query::triangle_aabb::rows::{half_of, size, sum};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Polygon, Vec3};
 
@@ -127,8 +126,8 @@ fn survey<S: Scalar>(vertices: &[Vec3<S>], aabb: &Aabb<S>) -> Survey {
                 is_beyond: |low: Row<S>, high: Row<S>| {
                     (low.exceeds(max) | min.exceeds(high)) & THREE != 0
                 },
-                from_center: |v| half_of((v - min) + (v - max)),
-                half: half_of(max - min),
+                from_center: |v: Row<S>| ((v - min) + (v - max)).halved(),
+                half: (max - min).halved(),
             }
             .survey(vertices)
         }
@@ -180,7 +179,7 @@ where
         if (self.is_beyond)(low, high) {
             return Survey::Apart;
         }
-        self.by_plane::<S>(vertices, size(self.half, high - low))
+        self.by_plane::<S>(vertices, (self.half + (high - low)).most())
     }
 
     /// Whether the plane of three vertices separates. If not, finds the triangle of the fan nearest
@@ -202,12 +201,12 @@ where
         // Three vertices far from each other, because the first three may lie on one line.
         let (a, b, c) = (at(0), at(count / 3), at(2 * count / 3));
         let n = cross(b - a, c - b);
-        let radius = sum(n.magnitude() * self.half);
+        let radius = n.magnitude().dot(self.half);
         let a_from_center = (self.from_center)(a);
-        let distance = sum(n * a_from_center);
+        let distance = n.dot(a_from_center);
         if distance.magnitude() - radius > bound {
             let n = if distance > zero { n } else { Q::splat(zero) - n };
-            let is_beyond = |v| sum(n * (self.from_center)(row::<S>(v))) - radius > bound;
+            let is_beyond = |v| n.dot((self.from_center)(row::<S>(v))) - radius > bound;
             if vertices.iter().all(is_beyond) {
                 return Survey::Apart;
             }
@@ -216,8 +215,8 @@ where
         // Seen along n, the line from vertex 0 to vertex k + 1 passes the centre on its right: n·(e
         // × o) = e·(o × n), with o the vector to the centre. No verdict depends on this.
         let across = cross(n, a_from_center);
-        let start = sum(across * a);
-        let passes = |&k: &usize| sum(across * at(k + 1)) <= start;
+        let start = across.dot(a);
+        let passes = |&k: &usize| across.dot(at(k + 1)) <= start;
         Survey::AskFirst((1..count - 2).find(passes).unwrap_or(count - 2))
     }
 }

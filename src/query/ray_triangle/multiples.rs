@@ -18,7 +18,7 @@ use super::crosses::Crosses;
 use super::kernel::{Crossing, Setting};
 use super::words::Counted;
 use super::{Facing, Hit};
-use crate::arithmetic::{Divisor, Each, Leading64, ProductSum, three};
+use crate::arithmetic::{Divisor, Each, Leading64, ProductSum, minus3};
 use crate::scalar::Scalar;
 
 /// The number of bits by which a volume may be shorter than its lengths. For k = 0, no number
@@ -37,7 +37,7 @@ impl<S: Scalar> Crosses<'_, S> {
         let [a, b, c, o, d] = self.rows();
         let ([a, b, c, o], unit) = S::short(&[a, b, c, o])?;
         let ([d], unit_of_d) = S::short(&[d])?;
-        let setting = Setting { d, e: [from(&b, &a), from(&c, &a)], s: from(&o, &a) };
+        let setting = Setting { d, e: [minus3(&b, &a), minus3(&c, &a)], s: minus3(&o, &a) };
         let first_sign = |a: &[i32; 3], b: &[i32; 3]| {
             let [x, y, z] = cross(a, b).each(|x| x.cmp(&0));
             x.then(y).then(z)
@@ -46,7 +46,7 @@ impl<S: Scalar> Crosses<'_, S> {
             &setting,
             (cross, dot),
             |t, _, _| t.cmp(&0),
-            |k| setting.perturbed(k, from, first_sign),
+            |k| setting.perturbed(k, minus3, first_sign),
         );
         let Some(Counted { is_front, volumes }) = counted else { return Some(None) };
         let Crossing { det, t, sides: [_, u, v] } = volumes;
@@ -78,11 +78,6 @@ impl<S: Scalar> Crosses<'_, S> {
 fn bits(x: &[i32; 3]) -> i32 {
     let all = x[0].unsigned_abs() | x[1].unsigned_abs() | x[2].unsigned_abs();
     32 - all.leading_zeros() as i32
-}
-
-#[inline(always)]
-fn from(to: &[i32; 3], from: &[i32; 3]) -> [i32; 3] {
-    three(|i| to[i] - from[i])
 }
 
 #[inline(always)]

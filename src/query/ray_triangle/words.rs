@@ -9,7 +9,7 @@ use super::{Facing, Hit};
 use crate::arithmetic::{
     InWholeWord, InWord, Number, WholeWord, Word, compare, cross_words, dot_words, first_sign,
 };
-use crate::query::triangle_aabb::words::{each, words};
+use crate::query::triangle_aabb::words::{minus, words};
 use crate::scalar::Scalar;
 
 /// A crossing that counts, with all volumes except t nonnegative.
@@ -64,9 +64,9 @@ impl<S: Scalar> Crosses<'_, S> {
         S: InWord<W>,
     {
         let [a, b, c] = self.triangle.vertices();
-        let a = words(a);
+        let (a, b, c) = (words(a), words(b), words(c));
         let (o, d) = (words(&self.ray.origin()), words(&self.ray.direction()));
-        Setting { d, e: [from(&words(b), &a), from(&words(c), &a)], s: from(&o, &a) }
+        Setting { d, e: [minus(&b, &a), minus(&c, &a)], s: minus(&o, &a) }
     }
 
     #[inline(always)]
@@ -82,7 +82,7 @@ impl<S: Scalar> Crosses<'_, S> {
                 true => compare(t, zero),
                 false => S::compare_quotient(t, det, end),
             },
-            |k| setting.perturbed(k, from, first_sign),
+            |k| setting.perturbed(k, minus, first_sign),
         )
     }
 
@@ -136,12 +136,6 @@ pub(super) fn rounded<S: Scalar + InWholeWord<W>, W: WholeWord>(
         facing: Facing::of(*is_front),
         feature: volumes.feature(),
     }
-}
-
-/// to − from, wrapped.
-#[inline(always)]
-fn from<W: Word>(to: &[W; 3], from: &[W; 3]) -> [W; 3] {
-    each(*to, *from, W::minus)
 }
 
 #[cfg(all(test, feature = "fixed"))]

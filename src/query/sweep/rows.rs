@@ -5,7 +5,7 @@ use super::error_bound::{Along, FACE, along};
 use super::instants::{Instants, Moving};
 use super::{Instant, Last, Passing};
 use crate::arithmetic::{Filtered, Float, InFloat, Number, Quad, THREE, greatest, out_of_line};
-use crate::query::triangle_aabb::rows::{Edge, Rows, half_of, row, sum};
+use crate::query::triangle_aabb::rows::{Edge, Rows, row};
 use crate::robust::Uncertain;
 use crate::scalar::Scalar;
 use crate::shape::AabbForm;
@@ -92,7 +92,7 @@ impl<Q: Quad<Lane: Float>> Course<Q> {
             let (low, high) = (rows.low - p, rows.high - p);
             (low - q, zero - high - q, q)
         } else {
-            (rows.low - q, p - rows.high, half_of(q - p))
+            (rows.low - q, p - rows.high, (q - p).halved())
         };
         let gap = above.greatest(below);
         let left = (above + d.least(zero)).greatest(below - d.greatest(zero));
@@ -106,7 +106,7 @@ impl<Q: Quad<Lane: Float>> Course<Q> {
         let is_gap = if by_center { !zero.exceeds(gap) } else { gap.exceeds(zero) };
         let open_faces = is_gap & left.may_be_above(error) & THREE;
         let v = rows.v;
-        let in_frame = |v: Q| if by_center { v - p } else { half_of((v - p) + (v - q)) };
+        let in_frame = |v: Q| if by_center { v - p } else { ((v - p) + (v - q)).halved() };
         let v = [in_frame(v[0]), in_frame(v[1]), in_frame(v[2])];
         // Underflow in a part of the motion can lose more than a roundoff of a tiny size.
         let error = error + Q::splat(Q::Lane::UNDERFLOW);
@@ -118,8 +118,7 @@ impl<Q: Quad<Lane: Float>> Course<Q> {
     #[inline(always)]
     fn size(self) -> Q::Lane {
         let spans = self.half + (self.rows.high - self.rows.low) + self.d.magnitude();
-        let [x, y, z] = spans.three();
-        greatest(greatest(x, y), z)
+        spans.most()
     }
 
     /// The axes of triangle and box. `None` where the plane separates all the way.
@@ -128,9 +127,9 @@ impl<Q: Quad<Lane: Float>> Course<Q> {
         let Self { rows, v, half, d, faces, .. } = &self;
         let [area, volume] = [Q::splat(error.area), Q::splat(error.volume)];
         let plane = Moving::new(
-            Q::splat(sum(rows.n * v[0])),
-            Q::splat(sum(rows.n.magnitude() * *half)),
-            Q::splat(sum(rows.n * *d)),
+            Q::splat(rows.n.dot(v[0])),
+            Q::splat(rows.n.magnitude().dot(*half)),
+            Q::splat(rows.n.dot(*d)),
             volume,
         );
         if plane.least_gap().exceeds(volume) & THREE != 0 {
@@ -203,9 +202,9 @@ impl<Q: Quad<Lane: Float>> Course<Q> {
         let Self { rows, v, half, d, .. } = &self;
         let zero = Q::splat(Q::Lane::ZERO);
         let (way, half_turned) = (Edge::new(*d), half.turned());
-        let half_way = sum(rows.n * *d).half();
+        let half_way = rows.n.dot(*d).half();
         let apart = |middle: Q::Lane, n: Q| {
-            middle.magnitude() - (half_way.magnitude() + sum(n.magnitude() * *half))
+            middle.magnitude() - (half_way.magnitude() + n.magnitude().dot(*half))
         };
         let [plane, ..] = instants.plane.least_gap().to_array();
         let [a, b, c] = &instants.edges;
@@ -225,7 +224,7 @@ impl<Q: Quad<Lane: Float>> Course<Q> {
             return Some(true);
         }
 
-        let cross = |k: usize| apart(sum(q[k] * v[k]) - half_way, q[k]);
+        let cross = |k: usize| apart(q[k].dot(v[k]) - half_way, q[k]);
         let crosses = [cross(0), cross(1), cross(2)];
         let furthest = greatest(greatest(crosses[0], crosses[1]), crosses[2]);
         if furthest > error.volume {

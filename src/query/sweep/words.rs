@@ -23,7 +23,7 @@ use crate::arithmetic::{
     InWord, ProductSum, REGISTERS_ARE_WIDE, Word, out_of_line_if_wide, pick, three,
 };
 use crate::query::one_sided::{Closed, Projection, beyond_edge, beyond_plane, normals};
-use crate::query::triangle_aabb::words::{each, extents, projections, words};
+use crate::query::triangle_aabb::words::{extents, minus, projections, words};
 use crate::scalar::Scalar;
 
 /// Whether words answer all questions about a type. For 64 bits they would be wider, and slower, than
@@ -77,7 +77,7 @@ impl<S: Scalar> Passing<'_, S> {
         S: InWord<W>,
     {
         let [from, to] = self.ends();
-        let d = each(words(&to), words(&from), W::minus);
+        let d = minus(&words(&to), &words(&from));
         let start = projections(self.triangle, self.aabb);
         Swept { start, end: three(|i| start[i].moved(d[i])), d }
     }
@@ -122,7 +122,7 @@ impl<W: Word> Swept<W> {
         let n: [A; 3] = normals(&self.start);
         // The prism is the same if the triangle moves back from the end. It then moves along n.
         let (start, end, [dx, dy, dz]) = if A::is_negative(along(&n, &self.d)) {
-            (&self.end, &self.start, each([W::ZERO; 3], self.d, W::minus))
+            (&self.end, &self.start, minus(&[W::ZERO; 3], &self.d))
         } else {
             (&self.start, &self.end, self.d)
         };

@@ -31,7 +31,7 @@ use super::offsets;
 use crate::arithmetic::{InRaw, Int16};
 use crate::query::obb_short::raw;
 use crate::scalar::Scalar;
-use crate::shape::{Aabb, AabbForm, Triangle, Vec3};
+use crate::shape::{Aabb, Triangle, Vec3};
 
 /// The bits of a truncated coordinate, without its sign.
 const BITS: u32 = 18;
@@ -60,10 +60,8 @@ pub(super) fn disjoint_when_cut_down<S: Scalar + InRaw>(
     triangle: &Triangle<S>,
     aabb: &Aabb<S>,
 ) -> bool {
-    let (AabbForm::Center { center: p, half: q } | AabbForm::Corners { min: p, max: q }) =
-        aabb.form();
-    let by_center = matches!(aabb.form(), AabbForm::Center { .. });
-    let ([b, c, p, q], grown) = cut_down(triangle, p, q, by_center);
+    let (p, q, by_center) = aabb.numbers();
+    let ([b, c, p, q], grown) = cut_down(triangle, &p.into(), &q.into(), by_center);
     let form = if by_center {
         BoxForm::Center(p, [q[0] + grown, q[1] + grown, q[2] + grown])
     } else {

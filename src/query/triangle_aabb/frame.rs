@@ -1,4 +1,4 @@
-use crate::arithmetic::{Arithmetic, Number, greatest, least, of_two, once};
+use crate::arithmetic::{Arithmetic, Each, Number, greatest, least, minus3, of_two, once, three};
 
 /// The form in which a box is given, in lengths of a number system.
 #[derive(Clone, Copy, Debug)]
@@ -36,14 +36,7 @@ impl<N: Arithmetic> Frame<N> {
         let (mut h, mut gaps, mut spans) = ([zero; 3], [zero; 3], [zero; 3]);
         let v = match form {
             BoxForm::Center(c, half) => {
-                let from = |p: [N::Length; 3]| {
-                    [
-                        once::<N, _>(p[0] - c[0]),
-                        once::<N, _>(p[1] - c[1]),
-                        once::<N, _>(p[2] - c[2]),
-                    ]
-                };
-                let v = [from(t[0]), from(t[1]), from(t[2])];
+                let v = t.each(|p| three(|i| once::<N, _>(p[i] - c[i])));
                 for i in 0..3 {
                     let (low, high) = range(&v, i);
                     h[i] = once::<N, _>(half[i]);
@@ -57,14 +50,8 @@ impl<N: Arithmetic> Frame<N> {
             BoxForm::Corners(min, max, grown) => {
                 // Not v − (min + max)/2: rounding the sum errs by the distance from the origin,
                 // rounding the differences only by the distance from the box.
-                let from = |p: [N::Length; 3]| {
-                    [
-                        of_two::<N, _>((p[0] - min[0]) + (p[0] - max[0])),
-                        of_two::<N, _>((p[1] - min[1]) + (p[1] - max[1])),
-                        of_two::<N, _>((p[2] - min[2]) + (p[2] - max[2])),
-                    ]
-                };
-                let v = [from(t[0]), from(t[1]), from(t[2])];
+                let from = |p: [N::Length; 3], i: usize| (p[i] - min[i]) + (p[i] - max[i]);
+                let v = t.each(|p| three(|i| of_two::<N, _>(from(p, i))));
                 for i in 0..3 {
                     let (low, high) = range(t, i);
                     h[i] = of_two::<N, _>(max[i] - min[i]);
@@ -78,16 +65,9 @@ impl<N: Arithmetic> Frame<N> {
                 v
             }
         };
-        let difference =
-            |a: [N::Length; 3], b: [N::Length; 3]| [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
-        Self {
-            v,
-            e: [difference(t[1], t[0]), difference(t[2], t[1]), difference(t[0], t[2])],
-            h,
-            gaps,
-            gaps_are_exact: matches!(form, BoxForm::Corners(..)),
-            spans,
-        }
+        let e = [minus3(&t[1], &t[0]), minus3(&t[2], &t[1]), minus3(&t[0], &t[2])];
+        let gaps_are_exact = matches!(form, BoxForm::Corners(..));
+        Self { v, e, h, gaps, gaps_are_exact, spans }
     }
 
     /// An upper bound of every coordinate in the frame if there is no gap, and of every edge and

@@ -40,16 +40,25 @@ pub(super) fn by_either_form<S: Scalar, N: Embeds<S>>(
     triangle: &Triangle<S>,
     form: &AabbForm<S>,
 ) -> Option<bool> {
-    any_axis(&match form {
-        AabbForm::Center { center, half } => in_frame_of_center::<S, N>(triangle, center, half),
+    any_axis(&in_frame::<S, N>(triangle, form))
+}
+
+/// The triangle in the frame of the box; `N` holds both.
+#[inline(always)]
+pub(super) fn in_frame<S: Scalar, N: Embeds<S>>(
+    triangle: &Triangle<S>,
+    form: &AabbForm<S>,
+) -> Frame<N> {
+    match form {
+        AabbForm::Center { center, half } => in_frame_of_center(triangle, center, half),
         AabbForm::Corners { min, max } => {
-            in_frame_of_corners::<S, N>(triangle, min, max, &Vec3::splat(S::ZERO))
+            in_frame_of_corners(triangle, min, max, &Vec3::splat(S::ZERO))
         }
-    })
+    }
 }
 
 #[inline(always)]
-pub(super) fn in_frame_of_center<S: Scalar, N: Embeds<S>>(
+fn in_frame_of_center<S: Scalar, N: Embeds<S>>(
     triangle: &Triangle<S>,
     center: &Vec3<S>,
     half: &Vec3<S>,
@@ -60,7 +69,7 @@ pub(super) fn in_frame_of_center<S: Scalar, N: Embeds<S>>(
 }
 
 #[inline(always)]
-pub(super) fn in_frame_of_corners<S: Scalar, N: Embeds<S>>(
+fn in_frame_of_corners<S: Scalar, N: Embeds<S>>(
     triangle: &Triangle<S>,
     min: &Vec3<S>,
     max: &Vec3<S>,
@@ -95,12 +104,7 @@ pub(super) fn any_axis<N: Arithmetic>(frame: &Frame<N>) -> Option<bool> {
     let bound = error_bound::<N>(size)?;
     let n = normal(frame);
     let edges = edges(frame, &n, bound.edge);
-    let plane = if N::is_narrow(size) {
-        narrow_plane::<N>(n, frame.v[0], frame.h)
-    } else {
-        plane::<N>(&n, &frame.v[0], &frame.h, bound.plane)
-    };
-    faces.or(edges).or(plane).verdict()
+    faces.or(edges).or(plane_of_size(frame, n, size, bound.plane)).verdict()
 }
 
 /// The same of large numbers, after the faces: one axis after another, until one separates.
@@ -115,15 +119,21 @@ fn one_large_edge<N: Arithmetic>(frame: &Frame<N>, n: &[N::Area; 3], i: usize, k
     one_edge(frame, n, Number::ZERO, following::<N>(i).0, following::<N>(k).0).certain
 }
 
-/// The plane test in narrower volumes. Integers only: they have no error to
-/// allow for. By value, so that no reference keeps the frame in memory.
+/// [`plane`], in narrower volumes if the size permits.
 #[inline(always)]
-pub(super) fn narrow_plane<N: Arithmetic>(
+pub(super) fn plane_of_size<N: Arithmetic>(
+    frame: &Frame<N>,
     n: [N::Area; 3],
-    v: [N::Length; 3],
-    h: [N::Length; 3],
+    size: N::Length,
+    error_bound: N::Volume,
 ) -> Uncertain {
-    plane::<N::Narrow>(&n, &v, &h, Number::ZERO)
+    if N::is_narrow(size) {
+        // Integers only: they have no error to allow for. Copies, so that no reference keeps the
+        // frame in memory.
+        let (n, v, h) = (n, frame.v[0], frame.h);
+        return plane::<N::Narrow>(&n, &v, &h, Number::ZERO);
+    }
+    plane::<N>(&n, &frame.v[0], &frame.h, error_bound)
 }
 
 /// Whether one of the box's three face normals separates.
@@ -213,6 +223,27 @@ pub(super) fn edges<N: Arithmetic>(
     so_far
 }
 
+/// The projections of the shapes on the cross product of coordinate axis `i` and edge `k`: the
+/// magnitude of p + n_i/2, the sum |n_i|/2 + r, and whether the axis is not zero.
+#[inline(always)]
+pub(super) fn edge_axis<N: Arithmetic>(
+    frame: &Frame<N>,
+    n: &[N::Area; 3],
+    i: usize,
+    k: usize,
+) -> (N::Area, N::Area, impl Fn() -> bool) {
+    let (_, j, l) = following::<N>(i);
+    let (e, v, h) = (&frame.e[k], &frame.v[k], &frame.h);
+
+    let p = N::minor([e[j], v[l]], [e[l], v[j]]);
+    let r = N::area(e[l].magnitude(), h[j]) + N::area(e[j].magnitude(), h[l]);
+    let middle = of_two::<N, _>(n[i]);
+    // An edge along x_i has e_j = e_l = 0, exactly: the axis is zero and separates nothing. Without
+    // this rule every box-shaped mesh would be in doubt.
+    let is_axis = move || (e[j] != N::Length::ZERO) | (e[l] != N::Length::ZERO);
+    ((p + middle).magnitude(), middle.magnitude() + r, is_axis)
+}
+
 /// Whether the cross product of coordinate axis `i` and edge `k` separates.
 #[inline(always)]
 pub(super) fn one_edge<N: Arithmetic>(
@@ -222,23 +253,11 @@ pub(super) fn one_edge<N: Arithmetic>(
     i: usize,
     k: usize,
 ) -> Uncertain {
-    let (_, j, l) = following::<N>(i);
-    let (e, v, h) = (&frame.e[k], &frame.v[k], &frame.h);
-
-    let p = N::minor([e[j], v[l]], [e[l], v[j]]);
-    let r = N::area(e[l].magnitude(), h[j]) + N::area(e[j].magnitude(), h[l]);
-    let middle = of_two::<N, _>(n[i]);
-    let far = (p + middle).magnitude();
-    let radius = middle.magnitude();
-
+    let (far, reach, is_axis) = edge_axis(frame, n, i, k);
     if N::CERTAIN {
-        return Uncertain::known(far > radius + r);
+        return Uncertain::known(far > reach);
     }
     // Rounded as in `rows`, so that the same is certain on every machine.
-    let beyond = far - (radius + r);
-    // An edge along x_i has e_j = e_l = 0, exactly: the axis is zero and separates nothing. Without
-    // this rule every box-shaped mesh would be in doubt.
-    let is_axis = (e[j] != N::Length::ZERO) | (e[l] != N::Length::ZERO);
-    let found = Uncertain::above(beyond, error_bound);
-    Uncertain { possible: found.possible & is_axis, ..found }
+    let found = Uncertain::above(far - reach, error_bound);
+    Uncertain { possible: found.possible & is_axis(), ..found }
 }

@@ -24,6 +24,7 @@ pub(crate) use error_bound::bound_of_size;
 pub(crate) use frame::range;
 pub use prepared::PreparedTriangle;
 
+use super::one_sided::are_disjoint;
 use super::{Axis, Overlaps};
 use crate::arithmetic::{
     Embeds, Filtered, Float, InFloat, InWord, Int64OfFloats, OfFour, OneType, Quad,
@@ -110,7 +111,10 @@ impl<S: Scalar> WordKernel<S> for Disjoint<'_, S> {
     where
         S: InWord<W>,
     {
-        if S::ALWAYS_NEAR { Some(self.in_any_words()) } else { self.in_near_words() }
+        if S::ALWAYS_NEAR {
+            return Some(self.in_any_words(are_disjoint::<W>));
+        }
+        self.in_near_words(are_disjoint::<W>)
     }
 }
 
@@ -213,7 +217,7 @@ impl<S: Scalar + InWord<i32>> Overlaps<Near<Aabb<S>>> for Near<Triangle<S>> {
     /// *Numerics*: exact, in 32-bit words alone. *Panics*: never.
     #[inline]
     fn overlaps(&self, aabb: &Near<Aabb<S>>) -> bool {
-        !Disjoint { triangle: self.get(), aabb: aabb.get() }.in_any_words::<i32>()
+        !Disjoint { triangle: self.get(), aabb: aabb.get() }.in_any_words(are_disjoint::<i32>)
     }
 }
 

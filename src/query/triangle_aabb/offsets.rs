@@ -5,10 +5,10 @@
 //! integers longer than the digits of `f32` have no vectors wide enough for their products.
 
 use super::error_bound::{coarse_bound, offset_bound};
-use super::rows::{Clear, Doubt, InFrame, Rows, largest};
+use super::rows::{Clear, Doubt, InFrame, Rows, by_form};
 use crate::arithmetic::{Each, Float, OfFour, Quad, THREE};
 use crate::scalar::Scalar;
-use crate::shape::{Aabb, AabbForm, Triangle};
+use crate::shape::{Aabb, Triangle};
 
 /// The number type of this stage.
 pub(super) type ForOffsets = <f32 as OfFour>::Quad;
@@ -18,33 +18,23 @@ pub(super) type ForOffsets = <f32 as OfFour>::Quad;
 pub(super) fn pair<S: Scalar>(
     triangle: &Triangle<S>,
     aabb: &Aabb<S>,
-    apart: impl Fn(InRows) -> Clear,
+    apart: impl Fn(InRows) -> Clear + Copy,
 ) -> Clear {
-    match *aabb.form() {
-        AabbForm::Center { center: c, half: h } => {
-            by(of_center, triangle, c.x, c.y, c.z, h.x, h.y, h.z, apart)
-        }
-        AabbForm::Corners { min: a, max: b } => {
-            by(of_corners, triangle, a.x, a.y, a.z, b.x, b.y, b.z, apart)
-        }
-    }
+    let of_center = move |t: &_, p, q| if_held(t, p, q, of_center, apart);
+    let of_corners = move |t: &_, p, q| if_held(t, p, q, of_corners, apart);
+    by_form(triangle, aabb, of_center, of_corners)
 }
 
 /// The same of a box in one form, whose vectors `in_rows` takes.
-#[allow(clippy::too_many_arguments)] // each in a register
-#[inline(never)]
-pub(super) fn by<S: Scalar>(
-    in_rows: impl Fn(&Triangle<S>, [S; 3], [S; 3]) -> InRows,
+#[inline(always)]
+pub(super) fn if_held<S: Scalar>(
     triangle: &Triangle<S>,
-    px: S,
-    py: S,
-    pz: S,
-    qx: S,
-    qy: S,
-    qz: S,
+    p: [S; 3],
+    q: [S; 3],
+    in_rows: impl Fn(&Triangle<S>, [S; 3], [S; 3]) -> InRows,
     apart: impl Fn(InRows) -> Clear,
 ) -> Clear {
-    let ([a, b, c], p, q) = (triangle.points(), [px, py, pz], [qx, qy, qz]);
+    let [a, b, c] = triangle.points();
     if !S::have_offsets(&[a, b, c, p, q]) {
         return Err(Doubt::Unknown);
     }
@@ -107,7 +97,7 @@ fn in_frame(v: [ForOffsets; 3], half: ForOffsets) -> InRows {
 #[inline(always)]
 pub(super) fn size_in_range(frame: &InFrame<ForOffsets>) -> Option<f32> {
     let (least, most) = <f32 as Float>::RANGE;
-    let size = largest(frame.size);
+    let size = frame.size.most();
     let are_below = ForOffsets::splat(most).exceeds(frame.size) & THREE == THREE;
     (are_below & (size > least)).then_some(size)
 }

@@ -2,29 +2,30 @@
 //! axes may separate, and whether rounding has any part in it.
 
 use super::error_bound::error_bound;
-use super::offsets::{self, ForOffsets};
-use super::rows::{Clear, Doubt, Edge, InFrame, Rows, largest, row};
+use super::offsets::{self, ForOffsets, InRows};
+use super::rows::{Clear, Doubt, Edge, InFrame, Rows, by_form, in_registers, row};
 use crate::arithmetic::{Filtered, Float, InFloat, Number, Quad, THREE, two_difference};
 use crate::robust::{Stage, Uncertain, note};
 use crate::scalar::Scalar;
-use crate::shape::{Aabb, AabbForm, Triangle, Vec3};
+use crate::shape::{Aabb, Triangle};
 
 /// Whether one of the 13 axes separates, if floats decide it.
 #[inline(always)]
-pub(in crate::query::triangle_aabb) fn pair<S: Scalar + InFloat<F>, F: Float>(
+pub(super) fn pair<S: Scalar + InFloat<F>, F: Float>(
     triangle: &Triangle<S>,
     aabb: &Aabb<S>,
 ) -> Option<bool> {
-    let clear = match *aabb.form() {
-        _ if <S as InFloat<F>>::OFFSETS_FIRST && ForOffsets::IS_VECTOR => {
-            offsets::pair(triangle, aabb, offsets::apart)
-        }
-        AabbForm::Center { center: c, half: h } => {
-            by_center::<S, F>(triangle, c.x, c.y, c.z, h.x, h.y, h.z)
-        }
-        AabbForm::Corners { min: a, max: b } => {
-            by_corners::<S, F>(triangle, a.x, a.y, a.z, b.x, b.y, b.z)
-        }
+    let clear = if <S as InFloat<F>>::OFFSETS_FIRST && ForOffsets::IS_VECTOR {
+        offsets::pair(triangle, aabb, offsets::apart)
+    } else {
+        let of_center = Rows::<F::Quad>::in_frame_of_center;
+        let of_corners = Rows::<F::Quad>::in_frame_of_corners;
+        by_form(
+            triangle,
+            aabb,
+            move |t, p, q| look::<S, F>(t, p, q, of_center, offsets::of_center),
+            move |t, p, q| look::<S, F>(t, p, q, of_corners, offsets::of_corners),
+        )
     };
     // By value, for the reason given in `overlaps`.
     match clear {
@@ -33,57 +34,28 @@ pub(in crate::query::triangle_aabb) fn pair<S: Scalar + InFloat<F>, F: Float>(
     }
 }
 
-#[allow(clippy::too_many_arguments)] // each in a register
-#[inline(never)]
-fn by_center<S: Scalar + InFloat<F>, F: Float>(
+/// The first look at a box in one form: with its coordinates, or with offsets if they were rounded.
+#[inline(always)]
+fn look<S: Scalar + InFloat<F>, F: Float>(
     triangle: &Triangle<S>,
-    cx: S,
-    cy: S,
-    cz: S,
-    hx: S,
-    hy: S,
-    hz: S,
+    p: [S; 3],
+    q: [S; 3],
+    in_frame: impl Fn(&Rows<F::Quad>, F::Quad, F::Quad) -> InFrame<F::Quad>,
+    in_offsets: impl Fn(&Triangle<S>, [S; 3], [S; 3]) -> InRows + Copy,
 ) -> Clear {
-    let (center, half) = (row(&Vec3::new(cx, cy, cz)), row(&Vec3::new(hx, hy, hz)));
-    let rows = Rows::<F::Quad>::of(triangle);
-    if !rows.are_within(S::LIMIT, center, half) {
-        return offsets::by(offsets::of_center, triangle, cx, cy, cz, hx, hy, hz, offsets::apart);
+    let (rows, first, second) = (Rows::<F::Quad>::of(triangle), row(&p.into()), row(&q.into()));
+    if !rows.are_within(S::LIMIT, first, second) {
+        let apart = move |t: &_, p, q| offsets::if_held(t, p, q, in_offsets, offsets::apart);
+        return in_registers(triangle, p[0], p[1], p[2], q[0], q[1], q[2], apart);
     }
-    rows.apart(&rows.in_frame_of_center(center, half))
-}
-
-#[allow(clippy::too_many_arguments)] // each in a register
-#[inline(never)]
-fn by_corners<S: Scalar + InFloat<F>, F: Float>(
-    triangle: &Triangle<S>,
-    ax: S,
-    ay: S,
-    az: S,
-    bx: S,
-    by: S,
-    bz: S,
-) -> Clear {
-    let (min, max) = (row(&Vec3::new(ax, ay, az)), row(&Vec3::new(bx, by, bz)));
-    let rows = Rows::<F::Quad>::of(triangle);
-    if !rows.are_within(S::LIMIT, min, max) {
-        return offsets::by(offsets::of_corners, triangle, ax, ay, az, bx, by, bz, offsets::apart);
-    }
-    rows.apart(&rows.in_frame_of_corners(min, max))
-}
-
-/// Whether an axis separates.
-enum Apart {
-    Yes,
-    No,
-    /// No, unless a number was rounded.
-    UnlessByRounding,
-    /// No, unless a computed gap of zero was rounded.
-    UnlessByGap,
-    /// Floats cannot say.
-    Unknown,
+    rows.apart(&in_frame(&rows, first, second))
 }
 
 /// [`pair`] where the first look leaves a doubt.
+///
+/// An axis parallel to a face normal, or zero, separates only if that face does. That includes the
+/// normal of a triangle parallel to a coordinate plane, and the axes of an edge parallel to a
+/// coordinate axis. Without this rule every box-shaped mesh would be in doubt.
 #[inline(never)]
 fn pair_in_doubt<S: Scalar + InFloat<F>, F: Float>(
     triangle: &Triangle<S>,
@@ -102,53 +74,36 @@ fn pair_in_doubt<S: Scalar + InFloat<F>, F: Float>(
     }
     let frame =
         if is_by_center { rows.in_frame_of_center(p, q) } else { rows.in_frame_of_corners(p, q) };
-    match apart(&rows, &frame) {
-        Apart::Yes => Some(true),
-        Apart::No => Some(false),
-        Apart::UnlessByRounding => is_on_grid(&rows, &frame, p, q).then_some(false),
-        Apart::UnlessByGap => gaps_are_exact(&rows, p, q).then_some(false),
-        Apart::Unknown => None,
-    }
-}
-
-/// An axis parallel to a face normal, or zero, separates only if that face does. That includes the
-/// normal of a triangle parallel to a coordinate plane, and the axes of an edge parallel to a
-/// coordinate axis. Without this rule every box-shaped mesh would be in doubt.
-#[inline(always)]
-fn apart<Q: Quad<Lane: Float>>(rows: &Rows<Q>, frame: &InFrame<Q>) -> Apart {
     if frame.apart != 0 {
-        return Apart::Yes;
+        return Some(true);
     }
-    let Some(bound) = error_bound::<Filtered<Q::Lane>>(largest(frame.size)) else {
-        return Apart::Unknown;
-    };
-    let (plane, edges) = (rows.plane(frame), rows.edges(frame));
+    let bound = error_bound::<Filtered<F>>(frame.size.most())?;
+    let (plane, edges) = (rows.plane(&frame), rows.edges(&frame));
     let most = edges[0].greatest(edges[1]).greatest(edges[2]);
-    if plane > bound.plane || most.exceeds(Q::splat(bound.edge)) & THREE != 0 {
-        return Apart::Yes;
+    let edge_bound = F::Quad::splat(bound.edge);
+    if plane > bound.plane || most.exceeds(edge_bound) & THREE != 0 {
+        return Some(true);
     }
 
-    let zero = Q::splat(Q::Lane::ZERO);
     let in_plane = Uncertain::above(plane, bound.plane).possible
         && rows.high.exceeds(rows.low) & THREE == THREE;
     let mut doubt = in_plane;
     for k in 0..3 {
-        doubt |= edges[k].may_be_above(Q::splat(bound.edge)) & slanted(&rows.e[k]) != 0;
+        doubt |= edges[k].may_be_above(edge_bound) & slanted(&rows.e[k]) != 0;
     }
     // Of copies: a reference would keep the numbers above in memory.
-    if doubt && !in_plane && are_settled(*rows, InFrame { ..*frame }) {
+    if doubt && !in_plane && are_settled(rows, InFrame { ..frame }) {
         doubt = false;
     }
-    if doubt {
-        let seems_apart = most.exceeds(zero) & THREE != 0 || plane > Q::Lane::ZERO;
+    let meets = if doubt {
+        let seems_apart = most.exceeds(F::Quad::splat(F::ZERO)) & THREE != 0 || plane > F::ZERO;
         // On a grid "yes" would be certain too, but not every machine has this kernel, and
         // `may_overlap` must be the same on all.
-        if seems_apart { Apart::Unknown } else { Apart::UnlessByRounding }
-    } else if frame.meets == THREE {
-        Apart::No
+        !seems_apart && is_on_grid(&rows, &frame, p, q)
     } else {
-        Apart::UnlessByGap
-    }
+        frame.meets == THREE || gaps_are_exact(&rows, p, q)
+    };
+    meets.then_some(false)
 }
 
 /// Which products of an edge with coordinate axes, as they come out, have no zero for a component.
@@ -168,7 +123,7 @@ fn slanted<Q: Quad<Lane: Float>>(edge: &Edge<Q>) -> u32 {
 #[cold]
 #[inline(never)]
 fn are_settled<Q: Quad<Lane: Float>>(rows: Rows<Q>, frame: InFrame<Q>) -> bool {
-    let Some(bound) = error_bound::<Filtered<Q::Lane>>(largest(frame.size)) else {
+    let Some(bound) = error_bound::<Filtered<Q::Lane>>(frame.size.most()) else {
         return false;
     };
     let below = Q::splat(-bound.edge);
@@ -202,7 +157,7 @@ fn gaps_are_exact<Q: Quad<Lane: Float>>(rows: &Rows<Q>, center: Q, half: Q) -> b
 /// Whether the coordinates of a triangle and of a box, given by `p` and `q`, are multiples of a
 /// unit so great that no sum of products of three differences up to the pair's size is rounded.
 fn is_on_grid<Q: Quad<Lane: Float>>(rows: &Rows<Q>, frame: &InFrame<Q>, p: Q, q: Q) -> bool {
-    let size = largest(frame.size);
+    let size = frame.size.most();
     let shifter = Q::splat(size.power_of_two_below() * Q::Lane::GRID_SHIFTER);
     let mut off = 0;
     for x in [rows.v[0], rows.v[1], rows.v[2], p, q] {

@@ -3,11 +3,11 @@
 use super::Disjoint;
 use super::error_bound::{offset_bound, offset_face};
 use super::offsets::{ForOffsets, row, size_in_range};
-use super::rows::{InFrame, Rows, half_of, largest};
+use super::rows::{InFrame, Rows};
 use crate::arithmetic::{Quad, THREE};
 use crate::robust::{Stage, note};
 use crate::scalar::Scalar;
-use crate::shape::{Aabb, AabbForm, Triangle};
+use crate::shape::{Aabb, Triangle};
 
 /// A triangle prepared for many axis-aligned boxes: exact, and up to three times as fast as the
 /// triangle itself.
@@ -100,29 +100,22 @@ impl<S: Scalar> PreparedTriangle<S> {
         aabb: &Aabb<S>,
     ) -> Option<InFrame<ForOffsets>> {
         let a = self.triangle.vertices()[0].to_array();
+        let (p, q, is_by_center) = aabb.numbers();
+        if !S::have_offsets(&[p, q]) {
+            return None;
+        }
         // The first vertex in the frame of the box, and the half-extents.
-        let (at, half) = match aabb.form() {
-            AabbForm::Center { center, half } => {
-                let (center, half) = (center.to_array(), half.to_array());
-                if !S::have_offsets(&[center, half]) {
-                    return None;
-                }
-                (row(|i| a[i].offset(center[i])), row(|i| half[i].offset(S::ZERO)))
-            }
-            AabbForm::Corners { min, max } => {
-                let (min, max) = (min.to_array(), max.to_array());
-                if !S::have_offsets(&[min, max]) {
-                    return None;
-                }
-                let twice = row(|i| a[i].offset_of_two(min[i], max[i]));
-                (half_of(twice), half_of(row(|i| max[i].offset(min[i]))))
-            }
+        let (at, half) = if is_by_center {
+            (row(|i| a[i].offset(p[i])), row(|i| q[i].offset(S::ZERO)))
+        } else {
+            let twice = row(|i| a[i].offset_of_two(p[i], q[i]));
+            (twice.halved(), row(|i| q[i].offset(p[i])).halved())
         };
         let (low, high) = (rows.low + at, rows.high + at);
         let size = half + (rows.high - rows.low);
         // Sums of rounded numbers need not keep their order.
         let gap = low.greatest(ForOffsets::splat(0.0) - high) - half;
-        let error = offset_face(largest(size));
+        let error = offset_face(size.most());
         Some(InFrame {
             v: [at, rows.v[1] + at, rows.v[2] + at],
             half,

@@ -5,32 +5,23 @@
 use super::Disjoint;
 use super::error_bound::error_bound;
 use super::frame::{Frame, range};
-use super::kernel::{
-    in_frame_of_center, in_frame_of_corners, narrow_plane, normal, one_edge, one_face, plane,
+use super::kernel::{edge_axis, in_frame, normal, one_edge, one_face, plane_of_size};
+use crate::arithmetic::{
+    Arithmetic, Each, Embeds, InWord, Number, REGISTERS_ARE_WIDE, Word, dot, greatest,
 };
-use crate::arithmetic::{Arithmetic, Embeds, InWord, Number, REGISTERS_ARE_WIDE, Word};
-use crate::arithmetic::{Each, dot, greatest, of_two};
 use crate::query::Axis;
+use crate::query::one_sided::relation;
 use crate::query::relation::{Nearness, Reading, Relate, Relation};
 use crate::robust::{Predicate, WordKernel};
 use crate::scalar::{FixedBackend, Scalar};
 #[cfg(feature = "fixed")]
 use crate::shape::Near;
-use crate::shape::{Aabb, AabbForm, Triangle, Vec3};
+use crate::shape::{Aabb, Triangle};
 
 /// The triangle in the frame of the box, if `N` holds the shapes.
 #[inline(always)]
-fn in_frame<S: Scalar, N: Embeds<S>>(shapes: &Disjoint<'_, S>) -> Option<Frame<N>> {
-    if !shapes.is_held::<N>() {
-        return None;
-    }
-    let triangle = shapes.triangle;
-    Some(match shapes.aabb.form() {
-        AabbForm::Center { center, half } => in_frame_of_center::<S, N>(triangle, center, half),
-        AabbForm::Corners { min, max } => {
-            in_frame_of_corners::<S, N>(triangle, min, max, &Vec3::splat(S::ZERO))
-        }
-    })
+fn frame_if_held<S: Scalar, N: Embeds<S>>(shapes: &Disjoint<'_, S>) -> Option<Frame<N>> {
+    if shapes.is_held::<N>() { Some(in_frame(shapes.triangle, shapes.aabb.form())) } else { None }
 }
 
 /// How do the shapes lie to each other?
@@ -40,7 +31,7 @@ impl<S: Scalar> Predicate<S> for Lie<'_, S> {
     type Answer = Relation;
 
     fn filter<N: Embeds<S>>(&self) -> Option<Relation> {
-        all_axes(&in_frame::<S, N>(&self.0)?)
+        all_axes(&frame_if_held::<S, N>(&self.0)?)
     }
 
     #[inline(always)]
@@ -58,7 +49,10 @@ impl<S: Scalar> WordKernel<S> for Lie<'_, S> {
     where
         S: InWord<W>,
     {
-        self.0.relation_in_words()
+        if S::ALWAYS_NEAR {
+            return Some(self.0.in_any_words(relation::<W>));
+        }
+        self.0.in_near_words(relation::<W>)
     }
 }
 
@@ -77,17 +71,10 @@ fn all_axes<N: Arithmetic>(frame: &Frame<N>) -> Option<Relation> {
             found.add_known(false, frame.gaps[i] >= N::Length::ZERO);
         }
 
-        // See `kernel::edges`.
-        let (j, l) = ((i + 1) % 3, (i + 2) % 3);
-        let middle = of_two::<N, _>(n[i]);
         for k in 0..3 {
-            let (e, v) = (&frame.e[k], &frame.v[k]);
-            let p = N::area(e[j], v[l]) - N::area(e[l], v[j]);
-            let r = N::area(e[l].magnitude(), frame.h[j]) + N::area(e[j].magnitude(), frame.h[l]);
-            let reach = middle.magnitude() + r;
-            // An edge along the axis gives no axis.
-            if e[j] != N::Length::ZERO || e[l] != N::Length::ZERO {
-                found.add((p + middle).magnitude() - reach, reach, bound.edge);
+            let (far, reach, is_axis) = edge_axis(frame, &n, i, k);
+            if is_axis() {
+                found.add(far - reach, reach, bound.edge);
             }
         }
     }
@@ -119,7 +106,7 @@ impl<S: Scalar + InWord<i32>> Relate<Near<Aabb<S>>> for Near<Triangle<S>> {
     /// *Numerics*: exact, in 32-bit words alone. *Panics*: never.
     #[inline]
     fn relation(&self, aabb: &Near<Aabb<S>>) -> Relation {
-        Disjoint { triangle: self.get(), aabb: aabb.get() }.relation_in_any_words::<i32>()
+        Disjoint { triangle: self.get(), aabb: aabb.get() }.in_any_words(relation::<i32>)
     }
 }
 
@@ -133,14 +120,13 @@ impl<S: Scalar> Predicate<S> for SeparatedBy<'_, S> {
     type Answer = bool;
 
     fn filter<N: Embeds<S>>(&self) -> Option<bool> {
-        let frame = in_frame::<S, N>(&self.shapes)?;
+        let frame = frame_if_held::<S, N>(&self.shapes)?;
         let size = frame.size_across_gap();
         let bound = error_bound::<N>(size)?;
         let n = normal(&frame);
         match self.axis {
             Axis::Face(i) => one_face(&frame, usize::from(i % 3)),
-            Axis::Normal if N::is_narrow(size) => narrow_plane::<N>(n, frame.v[0], frame.h),
-            Axis::Normal => plane::<N>(&n, &frame.v[0], &frame.h, bound.plane),
+            Axis::Normal => plane_of_size(&frame, n, size, bound.plane),
             Axis::Edge { axis, edge } => {
                 one_edge(&frame, &n, bound.edge, usize::from(axis % 3), usize::from(edge % 3))
             }

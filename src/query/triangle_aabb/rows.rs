@@ -6,13 +6,11 @@
 //! axes of an edge.
 
 use super::error_bound::{ErrorBound, error_bound};
-use crate::arithmetic::{Filtered, Float, InFloat, Number, Quad, THREE, greatest};
+use crate::arithmetic::{
+    Each, Filtered, FirstFloat, Float, InFloat, Number, OfFour, Quad, THREE, three_in_float,
+};
 use crate::scalar::Scalar;
-use crate::shape::{Triangle, Vec3};
-
-mod rounded;
-
-pub(super) use rounded::disjoint as disjoint_rounded;
+use crate::shape::{Aabb, AabbForm, Triangle, Vec3};
 
 /// The values of a triangle that are the same for every box.
 #[derive(Clone, Copy, Debug)]
@@ -45,7 +43,7 @@ impl<Q: Quad> Edge<Q> {
 
 #[inline(always)]
 pub(in crate::query) fn row<S: InFloat<Q::Lane>, Q: Quad>(v: &Vec3<S>) -> Q {
-    Q::of_three([v.x.in_float(), v.y.in_float(), v.z.in_float()])
+    Q::of_three(three_in_float(v.to_array()))
 }
 
 /// Whether an axis separates, or the reason why the first look cannot decide.
@@ -76,9 +74,7 @@ pub(super) struct InFrame<Q> {
 impl<Q: Quad<Lane: Float>> Rows<Q> {
     #[inline(always)]
     pub(in crate::query) fn of<S: Scalar + InFloat<Q::Lane>>(triangle: &Triangle<S>) -> Self {
-        let [a, b, c] = triangle.vertices();
-        let point = |v: &Vec3<S>| [v.x.in_float(), v.y.in_float(), v.z.in_float()];
-        Self::new([point(a), point(b), point(c)])
+        Self::new(triangle.points().each(three_in_float))
     }
 
     #[inline(always)]
@@ -104,7 +100,7 @@ impl<Q: Quad<Lane: Float>> Rows<Q> {
             high: v[0].greatest(v[1]).greatest(v[2]),
             e,
             n: product.turned(),
-            middle: half_of(product),
+            middle: product.halved(),
         }
     }
 
@@ -140,8 +136,8 @@ impl<Q: Quad<Lane: Float>> Rows<Q> {
         // Not v − (min + max)/2: rounding the sum errs by the distance from the origin, rounding
         // the differences only by the distance from the box.
         let [a, b, c] = self.v;
-        let from = |v: Q| half_of((v - min) + (v - max));
-        let half = half_of(max - min);
+        let from = |v: Q| ((v - min) + (v - max)).halved();
+        let half = (max - min).halved();
         InFrame {
             v: [from(a), from(b), from(c)],
             half,
@@ -154,7 +150,7 @@ impl<Q: Quad<Lane: Float>> Rows<Q> {
     /// The gap on the normal.
     #[inline(always)]
     pub(super) fn plane(&self, frame: &InFrame<Q>) -> Q::Lane {
-        sum(self.n * frame.v[0]).magnitude() - sum(self.n.magnitude() * frame.half)
+        self.n.dot(frame.v[0]).magnitude() - self.n.magnitude().dot(frame.half)
     }
 
     /// The gaps on the edge axes.
@@ -176,7 +172,7 @@ impl<Q: Quad<Lane: Float>> Rows<Q> {
         if !Q::IS_VECTOR && frame.apart != 0 {
             return Ok(true);
         }
-        match error_bound(largest(frame.size)) {
+        match error_bound(frame.size.most()) {
             Some(bound) => self.apart_by_bounds(frame, bound, bound, false),
             None => Err(Doubt::Unknown),
         }
@@ -221,30 +217,76 @@ impl<Q: Quad<Lane: Float>> Rows<Q> {
             Ok(apart != 0)
         }
     }
+
+    /// Whether an axis separates as it is rounded: the operations of `kernel.rs`, and so its answer.
+    #[inline(always)]
+    fn seem_apart(&self, frame: &InFrame<Q>) -> bool {
+        let zero = Q::splat(Q::Lane::ZERO);
+        let [a, b, c] = self.edges(frame);
+        // Not the greatest of the three, which may be a NaN after an overflow.
+        let edges = (a.exceeds(zero) | b.exceeds(zero) | c.exceeds(zero)) & THREE;
+        let plane = u32::from(self.plane(frame) > Q::Lane::ZERO);
+        frame.apart | edges | plane != 0
+    }
 }
 
-/// An upper bound of every coordinate in the frame of the box, if no face separates, and of every
-/// edge and half-extent.
+/// Whether one of the 13 axes separates, as the scalar's first float rounds.
 #[inline(always)]
-pub(in crate::query) fn size<Q: Quad>(half: Q, extent: Q) -> Q::Lane {
-    largest(half + extent)
+pub(super) fn disjoint_rounded<S: Scalar>(triangle: &Triangle<S>, aabb: &Aabb<S>) -> bool {
+    let rows = |t: &Triangle<S>| Rows::<First<S>>::new(t.points().each(|p| p.each(S::first)));
+    let row = |p: [S; 3]| First::<S>::of_three(p.each(S::first));
+    by_form(
+        triangle,
+        aabb,
+        move |t, center, half| {
+            let rows = rows(t);
+            rows.seem_apart(&rows.in_frame_of_center(row(center), row(half)))
+        },
+        move |t, min, max| {
+            let rows = rows(t);
+            let frame = rows.in_frame_of_corners(row(min), row(max));
+            // Of the vertices in the frame, as in `kernel.rs`, and not of the given vertices.
+            let InFrame { v: [a, b, c], half, .. } = frame;
+            let (low, high) = (a.least(b).least(c), a.greatest(b).greatest(c));
+            let gap = low.greatest(First::<S>::splat(S::SeptumFirst::ZERO) - high);
+            rows.seem_apart(&InFrame { apart: gap.exceeds(half) & THREE, ..frame })
+        },
+    )
 }
 
-/// The greatest of the first three lanes.
+type First<S> = <<S as FirstFloat>::SeptumFirst as OfFour>::Quad;
+
+/// The answer of one of two functions of a triangle and the two vectors of a box, by the form of the
+/// box.
 #[inline(always)]
-pub(super) fn largest<Q: Quad>(row: Q) -> Q::Lane {
-    let [x, y, z] = row.three();
-    greatest(greatest(x, y), z)
+pub(super) fn by_form<S: Scalar, T>(
+    triangle: &Triangle<S>,
+    aabb: &Aabb<S>,
+    of_center: impl Fn(&Triangle<S>, [S; 3], [S; 3]) -> T,
+    of_corners: impl Fn(&Triangle<S>, [S; 3], [S; 3]) -> T,
+) -> T {
+    match *aabb.form() {
+        AabbForm::Center { center: c, half: h } => {
+            in_registers(triangle, c.x, c.y, c.z, h.x, h.y, h.z, of_center)
+        }
+        AabbForm::Corners { min: a, max: b } => {
+            in_registers(triangle, a.x, a.y, a.z, b.x, b.y, b.z, of_corners)
+        }
+    }
 }
 
-#[inline(always)]
-pub(in crate::query) fn half_of<Q: Quad<Lane: Float>>(x: Q) -> Q {
-    x * Q::splat(Q::Lane::HALF)
-}
-
-/// The sum of the first three lanes, in order.
-#[inline(always)]
-pub(in crate::query) fn sum<Q: Quad>(row: Q) -> Q::Lane {
-    let [x, y, z] = row.three();
-    x + y + z
+/// The answer of a function without captures, out of line, with each number of the box in a register.
+#[allow(clippy::too_many_arguments)]
+#[inline(never)]
+pub(super) fn in_registers<S: Scalar, T>(
+    triangle: &Triangle<S>,
+    px: S,
+    py: S,
+    pz: S,
+    qx: S,
+    qy: S,
+    qz: S,
+    answer: impl Fn(&Triangle<S>, [S; 3], [S; 3]) -> T,
+) -> T {
+    answer(triangle, [px, py, pz], [qx, qy, qz])
 }

@@ -6,7 +6,6 @@ use super::PreparedTriangle;
 use super::conservative::disjoint_when_cut_down;
 use super::error_bound::offset_bound;
 use super::offsets::{self, InRows, are_exact, of_center, of_corners, size_in_range};
-use super::rows::largest;
 use crate::arithmetic::{Each, Quad, cross3, dot3, minus3, three, turn};
 use crate::random::Random;
 use crate::scalar::{Backend, Scalar};
@@ -136,7 +135,7 @@ fn what_is_exact_is_exact() {
         let (triangle, boxes) = shapes(pair, |x| x as f64 * scale);
         for aabb in &boxes {
             let (found, doubled) = in_frame(&triangle, aabb);
-            if are_exact(&triangle, aabb) && largest(found.1.size) > 0.0 {
+            if are_exact(&triangle, aabb) && found.1.size.most() > 0.0 {
                 exact += 1;
                 assert!(gaps(pair, &found, scale * doubled).all(|(gap, truth)| gap == truth));
             }

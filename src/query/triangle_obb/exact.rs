@@ -8,7 +8,7 @@ use core::marker::PhantomData;
 use crate::arithmetic::{Each, InWord, Number, WholeVolume, WholeWord, cross_words, dot_words};
 use crate::arithmetic::{Parts, pick, three, turn};
 use crate::query::relation::{Reading, Relation, of_gaps};
-use crate::query::triangle_aabb::words::each;
+use crate::query::triangle_aabb::words::minus;
 use crate::robust::{ExactSum, Vector, add_determinant, difference, single};
 use crate::scalar::Scalar;
 
@@ -117,11 +117,10 @@ impl<W: WholeWord> ExactParallelepiped<InWords<W>> {
         one: W,
     ) -> Self {
         let words = |x: [S; 3]| [x[0].in_word(), x[1].in_word(), x[2].in_word()];
-        let from = |to: [W; 3], from: [W; 3]| each(to, from, W::minus);
         let ([a, b, c], center) = ([words(a), words(b), words(c)], words(center));
         Self {
-            t: [from(a, center), from(b, center), from(c, center)],
-            e: [from(b, a), from(c, b), from(a, c)],
+            t: [a, b, c].each(|p| minus(&p, &center)),
+            e: [minus(&b, &a), minus(&c, &b), minus(&a, &c)],
             u: [words(u), words(v), words(w)],
             h: words(half),
             one,
