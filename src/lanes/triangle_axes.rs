@@ -7,8 +7,8 @@
 //! on one of two sides. The bounds of `triangle_aabb` hold for either.
 
 use crate::arithmetic::{
-    Each, Filtered, FirstFloat, Float, InFloat, cross, dot, greatest, minus3, three_in_float,
-    two_difference,
+    Each, Filtered, FirstFloat, Float, InFloat, cross, dot, greatest, minus3, three,
+    three_in_float, two_difference,
 };
 use crate::query::{bound_of_size, range};
 
@@ -156,10 +156,8 @@ impl<F: Float> TriangleAxes<F> {
         let face = greatest(greatest(gap(0), gap(1)), gap(2)) > F::ZERO;
         // Not v − (min + max)/2: rounding the sum errs by the distance from the origin, rounding
         // the differences only by the distance from the box.
-        let from_middle = |i: usize| ((self.origin[i] - min[i]) + (self.origin[i] - max[i])).half();
-        let v = [from_middle(0), from_middle(1), from_middle(2)];
-        let extent = |i: usize| (max[i] - min[i]).half();
-        let half = [extent(0), extent(1), extent(2)];
+        let v = three(|i| ((self.origin[i] - min[i]) + (self.origin[i] - max[i])).half());
+        let half = three(|i| (max[i] - min[i]).half());
         let (errors, is_known) = self.errors(&half);
         let (is_apart, is_certain) = self.gaps(&v, &half, errors).verdict(face, !face, is_known);
         (is_apart, is_certain & self.are_held & are_held::<S, F>(&[min, max]))

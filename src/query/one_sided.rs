@@ -151,12 +151,6 @@ impl<W: Word> Projection<W> {
         Self { t: [a.plus(by), b.plus(by), c.plus(by)], ..self }
     }
 
-    /// The vertices and the size.
-    #[cfg(all(test, feature = "fixed"))]
-    pub(super) fn parts(&self) -> ([W; 3], W) {
-        (self.t, self.size)
-    }
-
     /// Whether a box has shrunk to nothing.
     #[inline(always)]
     pub(super) fn is_void([x, y, z]: &[Self; 3]) -> bool {

@@ -1,8 +1,11 @@
 //! A block of voxels: the voxels of a triangle's bounding box, and the triangle in `f32`.
 
+use core::cmp::Ordering;
+
 use super::place::Span;
 use super::placed::{Bounds, Near};
-use crate::arithmetic::{Each, OfFour, Quad, greatest, least, three};
+use super::sign::exact_area;
+use crate::arithmetic::{Each, OfFour, Quad, compare, greatest, least, three};
 use crate::scalar::Scalar;
 use crate::shape::Triangle;
 
@@ -48,23 +51,35 @@ pub(super) struct InBlock<'a, S> {
     pub(super) level: [u32; 3],
 }
 
+/// Twice the area of a triangle seen along an axis, approximately, and its exact sign.
+#[inline(always)]
+pub(super) fn area<S: Scalar>(
+    rows: &[OnAxis; 3],
+    [u, v]: [usize; 2],
+    error: f32,
+    points: &[[S; 3]; 3],
+) -> (f32, Ordering) {
+    let (d, e) = (rows[u].edges, rows[v].edges);
+    let area = (d * e.turned() - e * d.turned()).to_array()[0];
+    let sign = if area.abs() > error { compare(area, 0.0) } else { exact_area(points, [u, v]) };
+    (area, sign)
+}
+
 impl<'a, S: Scalar> InBlock<'a, S> {
     /// `None` if the block is so large or so far from the origin that the error exceeds
     /// [`MOST_ERROR`].
     #[inline(always)]
     pub(super) fn new(block: &'a Block, near: &Near<S>, triangle: &'a Triangle<S>) -> Option<Self> {
-        let rows = [block.row(near, 0), block.row(near, 1), block.row(near, 2)];
-        let [a, b, c] = [rows[0].at, rows[1].at, rows[2].at];
+        let rows = block.rows(near);
+        let [a, b, c] = rows.each(|row| row.at);
         let [x, y, z] = a.least(b).least(c).three();
         let low = least(least(least(x, y), z), 0.0);
-        let [x, y, z] = a.greatest(b).greatest(c).three();
-        let widest = greatest(greatest(greatest(x, y), z), block.widest()) - low;
+        let widest = greatest(a.greatest(b).greatest(c).most(), block.widest()) - low;
         let error = near.error as f32 + ROUNDOFF * widest;
-        let level = |i: usize| {
+        let level = three(|i| {
             let [a, b, c] = near.points.each(|p| p[i]);
             u32::from(a == b) | u32::from(b == c) << 1 | u32::from(c == a) << 2
-        };
-        let level = [level(0), level(1), level(2)];
+        });
         // `<=`, so that a NaN fails.
         let is_known = error <= MOST_ERROR;
         is_known.then_some(Self { triangle, block, rows, widest, error, level })
@@ -105,16 +120,16 @@ impl Block {
         x.max(y).max(z) as f32
     }
 
-    /// The triangle on an axis. The subtraction of the block's first plane is exact in `f64`: if
+    /// The triangle on each axis. The subtraction of the block's first plane is exact in `f64`: if
     /// the plane is not number zero, a place is at least the plane's place, which is not
     /// negative, or next to it.
     #[inline(always)]
-    pub(super) fn row<S: Scalar>(&self, near: &Near<S>, i: usize) -> OnAxis {
-        let first = f64::from(self.first[i]);
-        let [a, b, c] = &near.near;
-        let at = [(a[i] - first) as f32, (b[i] - first) as f32, (c[i] - first) as f32];
-        let at = ForEach::of_three(at);
-        OnAxis { at, edges: at.turned() - at }
+    pub(super) fn rows<S: Scalar>(&self, near: &Near<S>) -> [OnAxis; 3] {
+        three(|i| {
+            let first = f64::from(self.first[i]);
+            let at = ForEach::of_three(near.near.each(|p| (p[i] - first) as f32));
+            OnAxis { at, edges: at.turned() - at }
+        })
     }
 
     /// The error bound of a vertex in a row, or of a plane.

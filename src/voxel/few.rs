@@ -41,10 +41,10 @@
 
 use core::cmp::Ordering;
 
-use super::block::{Block, ForEach, OnAxis};
+use super::block::{Block, ForEach, OnAxis, area};
 use super::grid::Grid;
 use super::placed::Near;
-use super::sign::{exact_area, exact_turn, side};
+use super::sign::{exact_turn, side};
 use crate::arithmetic::{Each, Quad, THREE, compare};
 use crate::scalar::Scalar;
 
@@ -62,7 +62,7 @@ pub(super) fn met<S: Scalar>(block: &Block, near: &Near<S>, grid: &Grid<S>) -> u
         grid,
         area_error: f32::from(AREA) * error * widest,
     };
-    let rows = [block.row(near, 0), block.row(near, 1), block.row(near, 2)];
+    let rows = block.rows(near);
     let views =
         [few.view(&rows, [1, 2], 0), few.view(&rows, [2, 0], 1), few.view(&rows, [0, 1], 2)];
     let mut apart = views[0].apart | views[1].apart | views[2].apart;
@@ -108,12 +108,7 @@ impl<S: Scalar> Few<'_, S> {
         }
         let (d, e) = (rows[u].edges, rows[v].edges);
         let rises = [self.rise(u), self.rise(v)];
-        let area = (d * e.turned() - e * d.turned()).to_array()[0];
-        let sign = if area.abs() > self.area_error {
-            compare(area, 0.0)
-        } else {
-            exact_area(&self.near.points, axes)
-        };
+        let (area, sign) = area(rows, axes, self.area_error, &self.near.points);
         // The normals (e, −d) of the edges point outward, unless the area is negative. If the
         // triangle appears as a line, both sides are outside, and its edges run both ways.
         let is_turned = sign == Ordering::Less;

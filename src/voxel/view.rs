@@ -33,10 +33,9 @@
 
 use core::cmp::Ordering;
 
-use super::block::{ForEach, InBlock};
+use super::block::{ForEach, InBlock, area};
 use super::few::AREA;
-use super::sign::exact_area;
-use crate::arithmetic::{Quad, THREE, compare};
+use crate::arithmetic::{Quad, THREE};
 use crate::scalar::Scalar;
 
 /// See the error bound above.
@@ -62,12 +61,8 @@ impl View {
     pub(super) fn new<S: Scalar>(inside: &InBlock<'_, S>, [u, v]: [usize; 2]) -> Option<Self> {
         let (row, across) = (&inside.rows[u], &inside.rows[v]);
         let (d, e) = (row.edges, across.edges);
-        let area = (d * e.turned() - e * d.turned()).to_array()[0];
-        let sign = if area.abs() > f32::from(AREA) * inside.error * inside.widest {
-            compare(area, 0.0)
-        } else {
-            exact_area(&inside.triangle.points(), [u, v])
-        };
+        let error = f32::from(AREA) * inside.error * inside.widest;
+        let (area, sign) = area(&inside.rows, [u, v], error, &inside.triangle.points());
         let (half, shifter) = (Four::splat(0.5), Four::splat(SHIFTER));
         // The edges that may touch a plane.
         let (low, high) =

@@ -61,17 +61,7 @@ impl<S: Scalar> Predicate<S> for Lie<S> {
     const PROFILE: Profile = Profile::AREAS;
 
     fn filter<N: Embeds<S>>(&self) -> Option<Relation> {
-        let Apart { a, b } = &self.0;
-        let all = [a.low, a.high, a.grown, b.low, b.high, b.grown];
-        let [a_low, a_high, a_grown, b_low, b_high, b_grown] = N::embed(&all)?;
-        let mut found = Nearness::NONE;
-        for i in 0..3 {
-            let (before, after) = (a_low[i] - b_high[i], b_low[i] - a_high[i]);
-            let (d, r) = (greatest(before, after), a_grown[i] + b_grown[i]);
-            let extent = r + r - (before + after);
-            found.add(d - r, extent, (d.magnitude() + r).error(GAP));
-        }
-        found.answer(N::CERTAIN)
+        self.0.by_axes::<N, Nearness>()
     }
 
     fn exact(&self) -> Relation {
@@ -145,22 +135,30 @@ impl<S: Scalar> Apart<S> {
 /// least normal number they are exact. Proved in `kernel.g`.
 pub(crate) const GAP: u16 = 3;
 
+impl<S: Scalar> Apart<S> {
+    #[inline(always)]
+    fn by_axes<N: Embeds<S>, R: Reading>(&self) -> Option<R::Answer> {
+        let Self { a, b } = self;
+        let all = [a.low, a.high, a.grown, b.low, b.high, b.grown];
+        let [a_low, a_high, a_grown, b_low, b_high, b_grown] = N::embed(&all)?;
+        let mut found = R::NONE;
+        for i in 0..3 {
+            let (before, after) = (a_low[i] - b_high[i], b_low[i] - a_high[i]);
+            let (d, r) = (greatest(before, after), a_grown[i] + b_grown[i]);
+            let extent = r + r - (before + after);
+            found.add(d - r, extent, (d.magnitude() + r).error(GAP));
+        }
+        found.answer(N::CERTAIN)
+    }
+}
+
 impl<S: Scalar> Predicate<S> for Apart<S> {
     type Answer = bool;
     const PROFILE: Profile = Profile::AREAS;
 
     #[inline(always)]
     fn filter<N: Embeds<S>>(&self) -> Option<bool> {
-        let Self { a, b } = self;
-        let all = [a.low, a.high, a.grown, b.low, b.high, b.grown];
-        let [a_low, a_high, a_grown, b_low, b_high, b_grown] = N::embed(&all)?;
-        let mut so_far = Uncertain::NONE;
-        for i in 0..3 {
-            let d = greatest(a_low[i] - b_high[i], b_low[i] - a_high[i]);
-            let r = a_grown[i] + b_grown[i];
-            so_far = so_far.or(Uncertain::above(d - r, (d.magnitude() + r).error(GAP)));
-        }
-        so_far.verdict()
+        self.by_axes::<N, Uncertain>()
     }
 
     fn exact(&self) -> bool {

@@ -203,8 +203,7 @@ impl<S: Scalar> PreparedRay<S> {
         let enter = greatest(greatest(x, y), greatest(z, self.from));
         let [x, y, z] = (to_center + to_face).three();
         let leave = least(least(x, y), least(z, self.to));
-        let [x, y, z] = (to_center.magnitude() + to_face).three();
-        (enter, leave, greatest(greatest(x, y), z))
+        (enter, leave, (to_center.magnitude() + to_face).most())
     }
 
     /// The values of t at these coordinates, one on each axis.

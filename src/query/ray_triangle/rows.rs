@@ -222,16 +222,12 @@ where
 
 /// Whether the line of a ray certainly misses a triangle.
 #[inline(always)]
-pub(crate) fn line_clearly_misses<S: Scalar>(ray: &Ray<S>, [a, b, c]: [[S; 3]; 3]) -> bool
+pub(crate) fn line_clearly_misses<S: Scalar>(ray: &Ray<S>, triangle: [[S; 3]; 3]) -> bool
 where
     Filtered<f64>: Embeds<S>,
 {
-    let (o, d) = (ray.origin().to_array(), ray.direction().to_array());
-    let [a, b, c, o, d] = Filtered::<f64>::embed_held(&[a, b, c, o, d]);
-    let setting = Setting::new(&[a, b, c, o], d);
-    let sizes = setting.sizes();
-    let VolumeErrors { sides, .. } = sizes.errors::<Filtered<f64>>();
-    let Crossing { sides: [w, u, v], .. } = setting.volumes::<Filtered<f64>>();
+    let Clear { sizes, crossing, errors, .. } = Clear::new(ray, triangle);
+    let [w, u, v] = crossing.sides;
     let (low, high) = (least(least(u, v), w), greatest(greatest(u, v), w));
-    sizes.are_in_range() & (low < -sides) & (high > sides)
+    sizes.are_in_range() & (low < -errors.sides) & (high > errors.sides)
 }

@@ -49,15 +49,19 @@ pub(super) fn if_held<S: Scalar>(
 #[inline(always)]
 pub(super) fn are_exact<S: Scalar>(triangle: &Triangle<S>, aabb: &Aabb<S>) -> bool {
     let [a, b, c] = triangle.points();
-    let (p, q, is_by_center) = aabb.numbers();
-    let (_, frame) =
-        if is_by_center { of_center(triangle, p, q) } else { of_corners(triangle, p, q) };
+    let (p, q, _) = aabb.numbers();
     // If the size underflows, the unit would be zero, and every number a multiple of it.
-    let Some(size) = size_in_range(&frame) else { return false };
+    let Some(size) = size_in_range(&in_rows(triangle, aabb).1) else { return false };
     S::are_multiples(&[a, b, c, p, q], size.power_of_two_below() * 0.0625)
 }
 
 pub(super) type InRows = (Rows<ForOffsets>, InFrame<ForOffsets>);
+
+#[inline(always)]
+pub(super) fn in_rows<S: Scalar>(triangle: &Triangle<S>, aabb: &Aabb<S>) -> InRows {
+    let (p, q, is_by_center) = aabb.numbers();
+    if is_by_center { of_center(triangle, p, q) } else { of_corners(triangle, p, q) }
+}
 
 #[inline(always)]
 pub(super) fn of_center<S: Scalar>(triangle: &Triangle<S>, center: [S; 3], half: [S; 3]) -> InRows {

@@ -5,11 +5,11 @@ use fixed::types::I32F32;
 use super::PreparedTriangle;
 use super::conservative::disjoint_when_cut_down;
 use super::error_bound::offset_bound;
-use super::offsets::{self, InRows, are_exact, of_center, of_corners, size_in_range};
+use super::offsets::{self, InRows, are_exact, in_rows, size_in_range};
 use crate::arithmetic::{Each, Quad, cross3, dot3, minus3, three, turn};
 use crate::random::Random;
 use crate::scalar::{Backend, Scalar};
-use crate::shape::{Aabb, AabbForm, Triangle};
+use crate::shape::{Aabb, Triangle};
 
 /// Three vertices, centre and half-extents, in units.
 type Pair = [[i64; 3]; 5];
@@ -65,14 +65,7 @@ fn gaps(pair: Pair, (rows, frame): &InRows, scale: f64) -> impl Iterator<Item = 
 
 /// The shapes in the frame of the box, and by how much all lengths are greater there.
 fn in_frame<S: Scalar>(triangle: &Triangle<S>, aabb: &Aabb<S>) -> (InRows, f64) {
-    match aabb.form() {
-        AabbForm::Center { center, half } => {
-            (of_center(triangle, center.to_array(), half.to_array()), 1.0)
-        }
-        AabbForm::Corners { min, max } => {
-            (of_corners(triangle, min.to_array(), max.to_array()), 2.0)
-        }
-    }
+    (in_rows(triangle, aabb), if aabb.numbers().2 { 1.0 } else { 2.0 })
 }
 
 /// The greatest errors on an edge axis and on the plane, relative to their bounds. `scale` is the

@@ -31,7 +31,7 @@ fn found<S: Scalar + InRaw>(question: &Disjoint<'_, S>) -> Option<f64> {
     let errors_over = |unit: f64| {
         let mut most = 0.0;
         for i in 0..3 {
-            let (vertices, size) = framed.shapes[i].parts();
+            let Projection { t: vertices, size } = framed.shapes[i];
             let off = |x: i32, truth: i128| (f64::from(x) - truth as f64 / unit).abs();
             let extent = off(size / 2 - framed.by, half[i] * volume);
             for k in 0..3 {
