@@ -4,7 +4,6 @@
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Sub};
 
-use super::float::Float;
 use super::number::{Number, greatest};
 
 #[cfg(not(all(
@@ -98,9 +97,9 @@ pub trait Quad:
     #[inline(always)]
     fn halved(self) -> Self
     where
-        Self::Lane: Float,
+        Self::Lane: From<u16>,
     {
-        self * Self::splat(Self::Lane::HALF)
+        self * Self::splat(Self::Lane::from(1).half())
     }
 
     /// (y, z, x).

@@ -149,11 +149,11 @@ impl Firmware {
     }
 
     /// The deepest stack below the entry, by the frames along each way down, but not
-    /// through functions of which the name ends so.
+    /// through functions with that in their names.
     pub fn stack(&self, without: Option<&str>) -> Result<u64, String> {
         let entry = self.functions.iter().find(|(_, f)| f.name == "_start");
         let (&entry, _) = entry.ok_or("there is no _start")?;
-        let is_skipped = |f: &Function| without.is_some_and(|end| f.name.ends_with(end));
+        let is_skipped = |f: &Function| without.is_some_and(|part| f.name.contains(part));
         if without.is_some() && !self.functions.values().any(is_skipped) {
             return Err(format!("there is no {}", without.unwrap_or_default()));
         }

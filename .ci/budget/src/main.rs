@@ -52,7 +52,7 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
 
 /// What is called for shapes so far apart, or so wide, that a word does not hold what
 /// has to be computed about them.
-const FAR: &str = "::in_any_words::<i64>";
+const FAR: &str = "::in_any_words::<i64";
 
 /// Where the language's own functions come from: soft floats, wide division, copies.
 #[derive(Clone, Copy, PartialEq, Eq)]
