@@ -10,59 +10,91 @@ use crate::robust::{ExactSum, Linear, Vector, add_area, difference, minor_sign, 
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Triangle};
 
-/// Whether one axis separates.
-pub(super) fn separates<S: Scalar>(triangle: &Triangle<S>, aabb: &Aabb<S>, axis: Axis) -> bool {
+/// How the gaps on one axis compare with zero: from the triangle to the box beyond it, on
+/// either side.
+fn gaps<S: Scalar>(triangle: &Triangle<S>, aabb: &Aabb<S>, axis: Axis) -> [Ordering; 2] {
     let t = ExactTriangle::new(&triangle.points());
     let b = ExactAabb::new(aabb.form());
     match axis {
-        Axis::Face(i) => {
-            let i = usize::from(i % 3);
-            on_a_side(|against| {
-                let toward = turned(Ordering::Greater, against);
-                let far = |v| sign::<S::SeptumSum>(&b.to_face(*pick(v, i), i, toward));
-                t.v.iter().all(|v| turned(far(v), against) == Ordering::Less)
-            })
-        }
-        Axis::Normal => {
-            let (e0, e1) = (t.edge(0), t.edge(1));
-            let signs = three(|i| t.normal_sign::<S>(i));
-            // The critical corner along the normal, or against it, from vertex 0.
-            on_a_side(|against| {
-                let to_corner =
-                    |i| b.to_face(*pick(&t.v[0], i), i, turned(*pick(&signs, i), against));
-                let to_corner = [to_corner(0), to_corner(1), to_corner(2)];
-                turned(side::<S::SeptumSum>([&e0, &e1, &to_corner]), against) == Ordering::Less
-            })
-        }
+        Axis::Face(i) => face_gaps::<S>(&b, &t, usize::from(i % 3)),
+        Axis::Normal => normal_gaps::<S>(&b, &t, &three(|i| t.normal_sign::<S>(i))),
         Axis::Edge { axis, edge } => {
-            let ((i, j, l), (k, _, opposite)) = (turn(axis.into()), turn(edge.into()));
-            let (e, normal) = (t.edge(k), t.normal_sign::<S>(i));
-            let (ej, el) = (sign::<S::SeptumSum>(pick(&e, j)), sign::<S::SeptumSum>(pick(&e, l)));
-            // (e × (z − v))_i is greatest over the box for z_l along e_j and z_j against e_l. The
-            // triangle covers the interval from 0 to n_i: from the edge's own vertex to the opposite
-            // vertex. The whole box lies above the interval, or below it.
-            on_a_side(|against| {
-                let is_far = turned(normal, against) == Ordering::Greater;
-                let base = pick(&t.v, if is_far { opposite } else { k });
-                let mut sum = S::SeptumSum::new();
-                let z_l = b.to_face(*pick(base, l), l, turned(ej, against).reverse());
-                let z_j = b.to_face(*pick(base, j), j, turned(el, against));
-                add_area(&mut sum, pick(&e, j), &z_l, false);
-                add_area(&mut sum, pick(&e, l), &z_j, true);
-                turned(sum.sign(), against) == Ordering::Greater
-            })
+            let (i, k) = (usize::from(axis % 3), usize::from(edge % 3));
+            edge_gaps::<S>(&b, &t, i, k, t.normal_sign::<S>(i))
         }
     }
 }
 
-/// Whether a claim is true along an axis, or against it.
-fn on_a_side(is_true: impl Fn(bool) -> bool) -> bool {
-    [false, true].into_iter().any(is_true)
+/// Whether one axis separates.
+pub(super) fn separates<S: Scalar>(triangle: &Triangle<S>, aabb: &Aabb<S>, axis: Axis) -> bool {
+    gaps(triangle, aabb, axis).contains(&Ordering::Greater)
 }
 
-/// A sign along an axis, or against it.
-fn turned(sign: Ordering, is_against: bool) -> Ordering {
-    if is_against { sign.reverse() } else { sign }
+/// Face axis `i`.
+fn face_gaps<S: Scalar>(b: &ExactAabb, t: &ExactTriangle, i: usize) -> [Ordering; 2] {
+    let gap = |toward: Ordering| {
+        let side = |v| sign::<S::SeptumSum>(&b.to_face(*pick(v, i), i, toward));
+        let gaps = t.v.iter().map(side).map(|side| match toward {
+            Ordering::Greater => side.reverse(),
+            _ => side,
+        });
+        gaps.min().unwrap_or(Ordering::Equal)
+    };
+    [gap(Ordering::Greater), gap(Ordering::Less)]
+}
+
+/// The triangle's normal, given the signs of its components.
+fn normal_gaps<S: Scalar>(
+    b: &ExactAabb,
+    t: &ExactTriangle,
+    signs: &[Ordering; 3],
+) -> [Ordering; 2] {
+    let (e0, e1) = (t.edge(0), t.edge(1));
+    // The critical corner along the normal, or against it, from vertex 0.
+    let corner = |along: bool| {
+        let to_corner = |i: usize| {
+            let toward = *pick(signs, i);
+            let toward = if along { toward } else { toward.reverse() };
+            b.to_face(*pick(&t.v[0], i), i, toward)
+        };
+        side::<S::SeptumSum>([&e0, &e1, &[to_corner(0), to_corner(1), to_corner(2)]])
+    };
+    [corner(true).reverse(), corner(false)]
+}
+
+/// The cross product of coordinate axis `i` and edge `k`, given the sign of component `i` of the
+/// normal.
+fn edge_gaps<S: Scalar>(
+    b: &ExactAabb,
+    t: &ExactTriangle,
+    i: usize,
+    k: usize,
+    normal: Ordering,
+) -> [Ordering; 2] {
+    let (_, j, l) = turn(i);
+    let (k, _, opposite) = turn(k);
+    let e = t.edge(k);
+    let (ej, el) = (sign::<S::SeptumSum>(pick(&e, j)), sign::<S::SeptumSum>(pick(&e, l)));
+    // (e × (z − v))_i is greatest over the box for z_l along e_j and z_j
+    // against e_l. The triangle covers the interval from 0 to n_i: from the
+    // edge's own vertex to the opposite vertex.
+    let gap = |along: bool| {
+        let base = if (normal == Ordering::Greater) == along {
+            // Beyond the far end: measure from the vertex opposite.
+            pick(&t.v, opposite)
+        } else {
+            pick(&t.v, k)
+        };
+        let turn = |o: Ordering| if along { o } else { o.reverse() };
+        let mut sum = S::SeptumSum::new();
+        let z_l = b.to_face(*pick(base, l), l, turn(ej).reverse());
+        let z_j = b.to_face(*pick(base, j), j, turn(el));
+        add_area(&mut sum, pick(&e, j), &z_l, false);
+        add_area(&mut sum, pick(&e, l), &z_j, true);
+        turn(sum.sign())
+    };
+    // The whole box above the interval, or the whole box below it.
+    [gap(true), gap(false)]
 }
 
 /// The faces of a box, each as the sum of two numbers.
