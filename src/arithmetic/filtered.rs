@@ -116,7 +116,12 @@ macro_rules! embeds {
                 errors: ($to, $to, $to),
             ) -> Option<[$from; 3]> {
                 let [x, y, z] = enclosed_on_line(a, v, num, den, errors)?;
-                Some([Self::nearest(x)?, Self::nearest(y)?, Self::nearest(z)?])
+                // A line across an axis has the coordinate of `a`, and an exact zero no sign.
+                let given = |i: usize| v[i] == 0.0 && errors.0 == 0.0;
+                let at = |i: usize, ends| {
+                    Self::nearest(ends).or_else(|| given(i).then(|| a[i] as $from + 0.0))
+                };
+                Some([at(0, x)?, at(1, y)?, at(2, z)?])
             }
             #[inline(always)]
             fn compare_quotient(

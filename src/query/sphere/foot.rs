@@ -176,6 +176,15 @@ fn exactly_on_face<S: Scalar, N: Embeds<S>>(
     all(three(|i| part(|| coordinate(i))))
 }
 
+/// The foot of a point over a triangle in a plane across a coordinate axis, as of a floor: no number is
+/// computed. Floats leave a doubt about a foot of zero, and those of 53 digits about every foot.
+fn across_axis<S: Scalar>([a, b, c]: &[[S; 3]; 3], mut point: [S; 3]) -> Option<[S; 3]> {
+    let axis = (0..3).find(|&i| a[i] == b[i] && b[i] == c[i])?;
+    point[axis] = a[axis];
+    // An exact zero has no sign.
+    Some(three(|i| if point[i] == S::ZERO { S::ZERO } else { point[i] }))
+}
+
 fn all<S: Copy>([x, y, z]: [Option<S>; 3]) -> Option<[S; 3]> {
     Some([x?, y?, z?])
 }
@@ -230,5 +239,6 @@ where
     let is_inside = least(least(side0, side1), side2) > *error;
     let n = around.normal();
     let foot = || on_face::<S, N>(&p, &n, dot::<N>(&n, &d[0]), 1.0, errors);
+    let foot = || foot().or_else(|| across_axis(vertices, point));
     if is_inside { Some((Feature::Interior, foot()?)) } else { None }
 }
