@@ -55,8 +55,8 @@ pub(super) struct Apart<S> {
     point: [S; 3],
 }
 
-/// The contact, if one end of the segment is certainly nearer than the rest of it, and certainly apart
-/// from the flat shape.
+/// The contact, if one end of the segment is certainly nearer than the rest of it, or as near above a face,
+/// and certainly apart from the flat shape.
 ///
 /// # The error
 ///
@@ -82,7 +82,9 @@ pub(super) fn apart<S: Scalar>(flat: Flat<'_, S>, round: &Round<S>) -> Option<Ap
         };
         let is_nearest = |line: &Line<S>| {
             let is_out = line.height.is_none_or(|[height, _]| height > 0.0);
-            is_sphere || is_out && line.is_behind(&less(to, &ends[1 - end]))
+            let way = less(to, &ends[1 - end]);
+            // In exact numbers the first end of a level segment comes before the second.
+            is_sphere || is_out && (line.is_behind(&way) || end == 0 && line.is_level(&way))
         };
         if let Some(line) = line.filter(is_nearest) {
             let known = known(&line, flat, to, round.radius.units());

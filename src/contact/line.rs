@@ -69,6 +69,12 @@ impl<S: Scalar> Line<S> {
         dot(&self.a, v) < -1.01 * (error(0) + error(1) + error(2))
     }
 
+    /// Whether a vector is certainly along the face from which the line comes, without a rounding.
+    pub(super) fn is_level(&self, v: &Vec64) -> bool {
+        let is_across = |i| v[i] == 0.0 || (self.a[i] == 0.0 && self.errors[i] == 0.0);
+        matches!(self.part, Part::Face(_)) && (0..3).all(is_across)
+    }
+
     /// To a point outside of a triangle. The corners behind it are certainly nearer to no point.
     pub(super) fn of_triangle(triangle: &Triangle<S>, to: &[S; 3]) -> Option<Self> {
         let Ok(closest) = triangle.closest_point(*to) else { return None };
