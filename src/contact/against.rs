@@ -4,6 +4,9 @@
 use super::body::Vec64;
 use crate::arithmetic::{Each, cross3, cut, dot3, exponent, pick, product, turn};
 
+/// How far n·u may be off.
+const ALONG: u32 = 1_048_576;
+
 /// A vector over a power of two, cut toward zero, below 2^15 in size. `None` if all numbers are zero or very
 /// small.
 fn half_words(v: &Vec64) -> Option<[i32; 3]> {
@@ -28,9 +31,10 @@ fn in_units(v: &Vec64, unit: i32) -> [i32; 3] {
 /// 2^17 + 2. If w has 28 bits or more, the sine between the sides is above 2^-5, and w, cut to 14 bits, is n,
 /// off by less than 10 in each coordinate, which is 2.2e-3 of its length. A coordinate of the unit vector is
 /// off by less than 2^-15. So the sign of w·u of the third side is certain if n·u is above 2^20, and the
-/// cosine c between n and the unit vector is off by less than 2.3e-3; cut to n·u/2^16, by 2^-10 of itself more
-/// if it is above a half, and its square by 2^-10 for that of n. A cosine that is above a half, and whose
-/// square is 16/15 of another's, is above the other by 1.6e-2; and errors of both are below 7e-3.
+/// cosine between n and the unit vector is off by less than 2.5e-3, where n·v is cut too. A cosine above a
+/// half whose square is 16/15 of another's, where n·n loses 2^-10 of itself, is above the other by more.
+///
+/// `against.g` proves it.
 pub(super) fn face_against(sides: &[Vec64; 3], outward: &Vec64, of: u8, upper: u8) -> Option<u8> {
     let mut axes = [[0; 3]; 3];
     for (to, side) in axes.iter_mut().zip(sides) {
@@ -51,7 +55,7 @@ pub(super) fn face_against(sides: &[Vec64; 3], outward: &Vec64, of: u8, upper: u
         if of.is_power_of_two() {
             return Some(number);
         }
-        if along.abs() <= 1 << 20 {
+        if along.unsigned_abs() <= ALONG {
             return None;
         }
         let cosine = dot3(&n, &to) >> 16;
