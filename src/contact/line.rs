@@ -17,10 +17,10 @@ use super::answer::Part;
 use super::body::{Flat, Vec64, dot};
 use super::filter::cross_with_products;
 use super::settled::U;
-use crate::arithmetic::{Double, Each, largest, pick, three, turn};
+use crate::arithmetic::{Double, Each, exp2, largest, pick, three, turn};
 use crate::query::Feature;
 use crate::scalar::Scalar;
-use crate::shape::{Aabb, AabbForm, Triangle};
+use crate::shape::{Aabb, Triangle};
 
 /// Roundoffs of a way across an edge, per |d|₁ of the vector d from an end of the edge.
 const WAY: u16 = 18;
@@ -48,6 +48,8 @@ pub(super) struct Line<S> {
     /// How far apart they are times |a|, below zero out of a box, and how far that may be off; by
     /// default it is a·a.
     pub(super) height: Option<[f64; 2]>,
+    /// The nearest point, and as numbers of the scalar.
+    at: Vec64,
     pub(super) point: [S; 3],
     pub(super) part: Part,
 }
@@ -57,10 +59,10 @@ pub(super) fn less<S: Scalar>(x: &[S; 3], y: &[S; 3]) -> Vec64 {
 }
 
 impl<S: Scalar> Line<S> {
-    /// From a point that is given, by a vector that has one rounding in each coordinate.
-    fn of_points(a: Vec64, point: [S; 3], part: Part) -> Self {
-        let point = unsigned(point);
-        Self { a, errors: a.each(|x| x.abs() * U), height: None, point, part }
+    /// From a point without an error, by a vector that has one rounding in each coordinate.
+    fn of_points(at: Vec64, to: &[S; 3], point: [S; 3], part: Part) -> Self {
+        let (a, point) = (three(|i| to[i].units() - at[i]), unsigned(point));
+        Self { a, errors: a.each(|x| x.abs() * U), height: None, at, point, part }
     }
 
     /// Whether a vector, rounded likewise, certainly leads back along the line.
@@ -79,11 +81,12 @@ impl<S: Scalar> Line<S> {
     pub(super) fn of_triangle(triangle: &Triangle<S>, to: &[S; 3]) -> Option<Self> {
         let Ok(closest) = triangle.closest_point(*to) else { return None };
         let (point, v) = (closest.point.to_array(), triangle.points());
+        let at = point.each(S::units);
         let edge = |from: usize, to: usize| less(pick(&v, to), pick(&v, from));
         match closest.feature {
             Feature::Vertex(k) => {
                 let (k, next, before) = turn(k.into());
-                let line = Self::of_points(less(to, pick(&v, k)), point, Part::Vertex(k as u8));
+                let line = Self::of_points(at, to, point, Part::Vertex(k as u8));
                 let is_behind = |to: usize| line.is_behind(&edge(k, to));
                 (is_behind(next) && is_behind(before)).then_some(line)
             }
@@ -95,7 +98,7 @@ impl<S: Scalar> Line<S> {
                 let errors = three(|i| if e[i] == 0.0 { d[i].abs() * U } else { error });
                 let a = three(|i| d[i] - e[i] * t);
                 let part = Part::Edge(k as u8);
-                let line = Self { a, errors, height: None, point, part };
+                let line = Self { a, errors, height: None, at, point, part };
                 line.is_behind(&edge(k, before)).then_some(line)
             }
             Feature::Interior => {
@@ -107,7 +110,7 @@ impl<S: Scalar> Line<S> {
                 let a = if volume < 0.0 { n.each(|x| -x) } else { n };
                 let errors = products.each(|x| roundoffs(NORMAL) * x);
                 let height = Some([volume.abs(), error]);
-                let line = Self { a, errors, height, point, part: Part::Face(0) };
+                let line = Self { a, errors, height, at, point, part: Part::Face(0) };
                 (volume.abs() > 1.01 * error).then_some(line)
             }
         }
@@ -118,14 +121,19 @@ impl<S: Scalar> Line<S> {
     pub(super) fn of_box(aabb: &Aabb<S>, to: &[S; 3]) -> Option<Self> {
         let ends = ends(aabb)?;
         let (mut point, mut beyond, mut is_clear) = (*to, [None; 3], true);
+        let mut at = to.each(S::units);
         for i in 0..3 {
             let [low, high] = ends[i];
-            if to[i] < low {
-                (point[i], beyond[i]) = (low, Some(0));
-            } else if to[i] > high {
-                (point[i], beyond[i]) = (high, Some(1));
+            let end = if at[i] < low {
+                Some((low, 0))
+            } else if at[i] > high {
+                Some((high, 1))
             } else {
-                is_clear &= to[i] != low && to[i] != high;
+                is_clear &= at[i] != low && at[i] != high;
+                None
+            };
+            if let Some((end, side)) = end {
+                (at[i], point[i], beyond[i]) = (end, nearest(end)?, Some(side));
             }
             is_clear &= low != high;
         }
@@ -141,27 +149,28 @@ impl<S: Scalar> Line<S> {
             }
             _ => Part::Vertex(side(0) + 2 * side(1) + 4 * side(2)),
         };
-        let line = Self::of_points(less(to, &point), point, part);
+        let line = Self::of_points(at, to, point, part);
         (is_clear || matches!(part, Part::Face(_))).then_some(line)
     }
 
     /// To the face of a box that is certainly nearer than the others.
-    fn out_of_box(ends: &[[S; 2]; 3], to: &[S; 3]) -> Option<Self> {
-        let (mut least, mut next, mut nearest) = (f64::INFINITY, f64::INFINITY, 0);
+    fn out_of_box(ends: &[[f64; 2]; 3], to: &[S; 3]) -> Option<Self> {
+        let (mut least, mut next, mut number) = (f64::INFINITY, f64::INFINITY, 0);
         for (n, end) in ends.as_flattened().iter().enumerate() {
-            let depth = end.units_beyond(to[n / 2]).abs();
+            let depth = (end - to[n / 2].units()).abs();
             if depth < least {
-                (next, least, nearest) = (least, depth, n);
+                (next, least, number) = (least, depth, n);
             } else if depth < next {
                 next = depth;
             }
         }
-        let (mut point, mut a, axis) = (*to, [0.0; 3], nearest / 2);
-        point[axis] = ends[axis][nearest % 2];
-        a[axis] = if nearest % 2 == 1 { 1.0 } else { -1.0 };
+        let (mut at, mut point, mut a, axis) = (to.each(S::units), *to, [0.0; 3], number / 2);
+        at[axis] = ends[axis][number % 2];
+        point[axis] = nearest(at[axis])?;
+        a[axis] = if number % 2 == 1 { 1.0 } else { -1.0 };
         let height = Some([-least, roundoffs(1) * least]);
-        let part = Part::Face(nearest as u8);
-        let line = Self { a, errors: [0.0; 3], height, point: unsigned(point), part };
+        let part = Part::Face(number as u8);
+        let line = Self { a, errors: [0.0; 3], height, at, point: unsigned(point), part };
         (least * (1.0 + roundoffs(4)) < next).then_some(line)
     }
 
@@ -188,7 +197,7 @@ impl<S: Scalar> Line<S> {
                 [gap.high, f64::from(GAP_OF_FACE) * error, nn.high]
             }
             _ => {
-                let d = way(to, &self.point);
+                let d = Double::way(&to.each(S::units), &self.at);
                 [rr.minus(Double::dot(&d, &d)).high, f64::from(GAP) * U * U * rr.high, 1.0]
             }
         }
@@ -207,7 +216,7 @@ impl<S: Scalar> Line<S> {
             }
             _ => Double::of(1.0),
         };
-        let way = Double::way(&to.each(S::units), &self.point.each(S::units));
+        let way = Double::way(&to.each(S::units), &self.at);
         let d = largest(&way.each(|x| x.high));
         let is_deep = self.height.is_some_and(|[height, _]| height < 0.0);
         let depth = Double::difference(r, if is_deep { -d } else { d });
@@ -227,22 +236,24 @@ fn square(x: Double) -> Double {
     x.times(x)
 }
 
-/// The ends of a box along each axis, if they are numbers of the scalar.
-fn ends<S: Scalar>(aabb: &Aabb<S>) -> Option<[[S; 2]; 3]> {
-    match aabb.form() {
-        AabbForm::Corners { min, max } => {
-            let (p, q) = (min.to_array(), max.to_array());
-            Some(three(|i| [p[i], q[i]]))
-        }
-        AabbForm::Center { center, half } => {
-            let (c, h) = (center.to_array(), half.to_array());
-            let ends = three(|i| c[i].reach(h[i]));
-            let is_exact = |i: usize| {
-                let (c, h) = (c[i].units(), h[i].units());
-                let exact = [Double::difference(c, h), Double::difference(c, -h)];
-                ends[i].each(|end| Double::of(end.units())) == exact
-            };
-            (0..3).all(is_exact).then_some(ends)
-        }
+/// The number of the scalar to which a number of units rounds, if that is certain.
+fn nearest<S: Scalar>(x: f64) -> Option<S> {
+    let near = |x: f64| S::ZERO.plus_double(x * S::UNIT);
+    let (nearest, room) = (near(x), x * exp2(-50));
+    // Where two are as near, exact numbers decide.
+    let is_clear = S::FLOAT.is_some() && near(x - room) == near(x + room);
+    let is_known = nearest.units() == x || is_clear && nearest.units().abs() < f64::INFINITY;
+    is_known.then_some(nearest)
+}
+
+/// The ends of a box along each axis, in units, if `f64` rounds none.
+fn ends<S: Scalar>(aabb: &Aabb<S>) -> Option<[[f64; 2]; 3]> {
+    let (p, q, is_by_center) = aabb.numbers();
+    let [p, q] = [p, q].each(|x| x.each(S::units));
+    if !is_by_center {
+        return Some(three(|i| [p[i], q[i]]));
     }
+    let ends = three(|i| [Double::difference(p[i], q[i]), Double::difference(p[i], -q[i])]);
+    let is_exact = ends.as_flattened().iter().all(|end| end.low == 0.0);
+    is_exact.then(|| ends.each(|ends| ends.each(|end| end.high)))
 }
