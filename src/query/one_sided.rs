@@ -37,7 +37,7 @@ pub(super) fn are_disjoint<W: Word>(shapes: &[Projection<W>; 3]) -> bool {
 pub(super) fn relation<W: Word>(shapes: &[Projection<W>; 3]) -> Relation {
     if !shapes.iter().any(Projection::may_touch) && !one_sided_or_touching(shapes) {
         Relation::Overlapping
-    } else if are_disjoint(shapes) {
+    } else if Projection::are_apart(shapes) || one_sided(shapes) {
         Relation::Disjoint
     } else {
         Relation::Touching

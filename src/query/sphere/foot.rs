@@ -242,3 +242,34 @@ where
     let foot = || foot().or_else(|| across_axis(vertices, point));
     if is_inside { Some((Feature::Interior, foot()?)) } else { None }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::in_double;
+    use crate::query::Feature;
+
+    /// In the plane of each coordinate axis: over its interior, and beside an edge.
+    #[test]
+    fn a_foot_on_a_level_triangle_needs_no_exact_numbers() {
+        for axis in 0..3 {
+            let at = |[x, y, z]: [f64; 3]| {
+                let mut p = [0.0; 3];
+                (p[axis], p[(axis + 1) % 3], p[(axis + 2) % 3]) = (z, x, y);
+                p
+            };
+            for height in [-0.0, 1.0 / 3.0, -7.0] {
+                let level = [[-1.0, -1.0, height], [2.0, -1.0, height], [0.0, 2.0, height]].map(at);
+                // An exact zero has no sign.
+                let foot = at([0.1, -0.0, height]).map(|x| (x + 0.0).to_bits());
+                let (feature, found) = in_double(&level, at([0.1, -0.0, 0.3])).unwrap();
+                assert_eq!((feature, found.map(f64::to_bits)), (Feature::Interior, foot));
+
+                let short = |p: [f64; 3]| p.map(|x| x as f32);
+                let (feature, found) =
+                    in_double(&level.map(short), short(at([0.7, -9.0, 0.3]))).unwrap();
+                let foot = short(at([0.7, -1.0, height])).map(|x| (x + 0.0).to_bits());
+                assert_eq!((feature, found.map(f32::to_bits)), (Feature::Edge(0), foot));
+            }
+        }
+    }
+}

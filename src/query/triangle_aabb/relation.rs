@@ -106,7 +106,7 @@ impl<S: Scalar + InWord<i32>> Relate<Near<Aabb<S>>> for Near<Triangle<S>> {
     /// *Numerics*: exact, in 32-bit words alone. *Panics*: never.
     #[inline]
     fn relation(&self, aabb: &Near<Aabb<S>>) -> Relation {
-        Disjoint { triangle: self.get(), aabb: aabb.get() }.in_any_words(relation::<i32>)
+        Disjoint { triangle: self.get(), aabb: aabb.get() }.relation_in_any_words::<i32>()
     }
 }
 

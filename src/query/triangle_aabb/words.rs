@@ -4,6 +4,10 @@
 use super::Disjoint;
 use crate::arithmetic::{Each, InWord, Word, out_of_line_if_wide, three};
 use crate::query::one_sided::Projection;
+#[cfg(feature = "fixed")]
+use crate::query::one_sided::relation;
+#[cfg(feature = "fixed")]
+use crate::query::relation::Relation;
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Triangle, Vec3};
 
@@ -33,6 +37,17 @@ impl<S: Scalar> Disjoint<'_, S> {
             && W::is_central(z)
             && Projection::are_near(&projections);
         is_near.then(|| ask(&projections))
+    }
+
+    /// How the shapes lie to each other, in words wide enough for shapes anywhere: with less stack than by
+    /// [`in_any_words`](Self::in_any_words).
+    #[cfg(feature = "fixed")]
+    #[inline(never)]
+    pub(super) fn relation_in_any_words<W: Word>(&self) -> Relation
+    where
+        S: InWord<W>,
+    {
+        relation(&projections(self.triangle, self.aabb))
     }
 }
 
