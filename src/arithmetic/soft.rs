@@ -304,7 +304,7 @@ fn slack_product(mantissa: u64, slack: Slack) -> u128 {
     } else if slack == 0 {
         0
     } else {
-        limb_by_word(mantissa, slack as u32)
+        limb_by_word(mantissa, u128::from(slack) as u32)
     }
 }
 
