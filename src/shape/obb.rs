@@ -3,8 +3,8 @@ use core::cmp::Ordering;
 use super::Vec3;
 use super::overlaps::overlaps_methods;
 use super::{Aabb, ShapeError, finite, finite_at};
-use crate::arithmetic::Each;
-use crate::robust;
+use crate::arithmetic::{Each, pick, turn};
+use crate::robust::ExactSum;
 use crate::scalar::Scalar;
 
 /// An oriented box: a centre, three axes, and a half-extent along each.
@@ -170,8 +170,7 @@ impl<S: Scalar> Obb<S> {
 
     /// `Less` if the axes are left-handed, `Greater` if they are right-handed.
     pub(crate) fn hand(&self) -> Ordering {
-        let axes = self.axes_as_arrays().each(robust::singles);
-        robust::side::<S::SeptumSum>(axes.each_ref())
+        hand(&self.axes_as_arrays())
     }
 
     /// Whether [`new`](Self::new) would accept the axes.
@@ -202,4 +201,19 @@ impl<S: Copy> Obb<S> {
     pub const fn half_extents(&self) -> Vec3<S> {
         self.half
     }
+}
+
+/// The exact sign of the triple product u·(v×n). [`robust::side`](crate::robust::side) takes vectors of three
+/// numbers in a coordinate, and three times the instructions.
+fn hand<S: Scalar>(axes: &[[S; 3]; 3]) -> Ordering {
+    let [u, v, n] = axes;
+    let mut sum = S::SeptumSum::new();
+    for i in 0..3 {
+        let (i, j, k) = turn(i);
+        let [u, vj, vk] = [pick(u, i), pick(v, j), pick(v, k)].each(|x| x.parts());
+        let [nj, nk] = [pick(n, j), pick(n, k)].each(|x| x.parts());
+        sum.add(&[u, vj, nk]);
+        sum.add(&[u.negated(), vk, nj]);
+    }
+    sum.sign()
 }
