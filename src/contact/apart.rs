@@ -11,7 +11,7 @@ use super::answer::Part;
 use super::body::{Flat, Round, dot};
 use super::line::{Line, less, roundoffs};
 use super::mesh::InteriorEdges;
-use super::settled::Known;
+use super::settled::{Known, is_single};
 use crate::arithmetic::{Each, REGISTERS_ARE_WIDE, exp2, largest, root_of_machine, three};
 use crate::scalar::Scalar;
 use crate::shape::Vec3;
@@ -24,8 +24,7 @@ const CLEAR: f64 = exp2(-42);
 
 /// The contact of a sphere around the end of a line.
 fn known<S: Scalar>(line: &Line<S>, flat: Flat<'_, S>, to: &[S; 3], radius: f64) -> Known {
-    let (a, errors) = (line.a, line.errors);
-    let is_single = a.iter().filter(|&&x| x != 0.0).count() == 1;
+    let (a, errors, is_single) = (line.a, line.errors, is_single(&line.a));
     let length = if is_single { largest(&a) } else { root_of_machine(dot(&a, &a)) };
     let inverse = 1.0 / length;
     let of_length = (errors[0] + errors[1] + errors[2]) * inverse + roundoffs(LENGTH);

@@ -171,10 +171,9 @@ fn from_floats<S: Scalar>(
     let (n, is_along) = wanted.single()?;
     // Without a branch for each kind of direction.
     let direction = (wanted.direction(n), sides_of_all(filter.ruler.are_triangles)[n % 16]);
-    match filter.axes.axis(direction.1) {
-        Some(axis) => on_axis(filter, bodies, direction, axis, is_along),
-        None => settled(filter, direction, is_along, has_unit.then_some(bodies)),
-    }
+    let axis = filter.axes.axis(direction.1);
+    let known = axis.and_then(|axis| on_axis(filter, bodies, direction, axis, is_along));
+    known.or_else(|| settled(filter, direction, is_along, has_unit.then_some(bodies)))
 }
 
 #[inline(never)]

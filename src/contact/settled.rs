@@ -10,7 +10,7 @@ use super::directions::Direction;
 use super::filter::{Filter, Measured};
 use super::measures::{Directed, Measures, Way};
 use super::unit::unit;
-use crate::arithmetic::{Each, exp2, pick, root_of_machine};
+use crate::arithmetic::{Each, exp2, largest, pick, root_of_machine};
 use crate::scalar::Scalar;
 use crate::shape::Vec3;
 
@@ -26,7 +26,7 @@ const MOST: f64 = exp2(-20);
 /// If P²·(1 + n)² exceeds this times a·a, the normal errs too much.
 pub(super) const SQUARES: u16 = 30;
 
-/// The way along a direction that is no coordinate axis, and its numbers, if floats are certain of all signs along the
+/// The way along a direction and its numbers, if floats are certain of all signs along the
 /// direction, and of the number of the scalar to which each of its lengths rounds. If `bodies` are given,
 /// double words also have to be certain of the unit vector; otherwise it is zero.
 ///
@@ -71,11 +71,13 @@ pub(super) fn settled<S: Scalar>(
             of_coordinates[i] = (2.0 * roundings * (products[i] / a[i].abs()) + 1.0) * U;
         }
     }
-    let inverse = 1.0 / root_of_machine(square);
+    let is_single = is_single(&a);
+    let length = if is_single { largest(&a) } else { root_of_machine(square) };
+    let inverse = 1.0 / length;
     let known = Known {
         a,
         of_coordinates,
-        is_single: false,
+        is_single,
         inverse,
         depth: overlap * inverse,
         of_depth: error / overlap,
@@ -100,6 +102,12 @@ pub(super) fn settled<S: Scalar>(
     };
     let way = Way { direction, is_along, along, is_held: false };
     Some(Directed { unit, depth: f64::INFINITY, measures: known.measures(is_along)?, way })
+}
+
+/// Whether a direction is a coordinate axis.
+#[inline]
+pub(super) fn is_single(a: &Vec64) -> bool {
+    a.iter().filter(|&&x| x != 0.0).count() == 1
 }
 
 /// A direction in floats, and the depth along it.
