@@ -164,12 +164,17 @@ impl Axes {
     }
 
     /// The coordinate axis along which a direction is, if it is one, by the numbers of its sides: the only
-    /// coordinate that neither of them has.
+    /// coordinate that neither of them has. `None` too if a box has that coordinate in several axes.
     #[inline]
     pub(super) fn axis(&self, numbers: [u8; 2]) -> Option<usize> {
         let [x, y] = numbers.each(|n| self.nonzero[usize::from(n >= 3)][usize::from(n % 3)]);
         let none = !(x | y) & 7;
-        none.is_power_of_two().then(|| none.trailing_zeros() as usize % 3)
+        let is_upright = |(sides, &is_triangle): (&[u8; 3], &bool)| {
+            is_triangle || sides.iter().filter(|&bits| bits & none != 0).count() == 1
+        };
+        let are_upright =
+            none.is_power_of_two() && self.nonzero.iter().zip(&self.are_triangles).all(is_upright);
+        are_upright.then(|| none.trailing_zeros() as usize % 3)
     }
 
     /// The directions that are not certainly zero or equal to an earlier one, as bits.
