@@ -89,21 +89,7 @@ impl<S: Scalar> Body<'_, S> {
     pub(super) fn rough(&self, origin: &Self, scale: f64) -> Rough {
         let origin = origin.origin();
         let less = |x: S, other: S| difference_in_double(x, other, scale);
-        let from = |x: &Place<S>| {
-            // Fixed point halves a sum of two equal numbers without a rounding.
-            let is_one = is_software::<f64>() && S::FLOAT.is_none() && x.0 == x.1;
-            let is_one = is_one && origin.0 == origin.1;
-            part(|| {
-                let mut all = [0.0; 3];
-                for (i, to) in all.iter_mut().enumerate() {
-                    *to = less(*pick(&x.0, i), *pick(&origin.0, i));
-                    if !is_one {
-                        *to = (*to + less(*pick(&x.1, i), *pick(&origin.1, i))) * 0.5;
-                    }
-                }
-                all
-            })
-        };
+        let from = |x: &Place<S>| mean(x, &origin, scale);
         let in_double =
             |x: [S; 3], scale: f64| part(|| x.each(|x| scaled::<S>(x.in_double(), scale)));
         let lengths = |x: [S; 3]| in_double(x, scale);
@@ -211,6 +197,23 @@ pub(super) fn difference_in_double<S: Scalar>(x: S, other: S, scale: f64) -> f64
             x.in_double() * scale - other.in_double() * scale
         }
     })
+}
+
+/// The mean of two coordinates each, less that of the origin, times a power of two.
+#[cfg_attr(target_pointer_width = "64", inline(always))]
+#[cfg_attr(not(target_pointer_width = "64"), inline(never))]
+fn mean<S: Scalar>(x: &Place<S>, origin: &Place<S>, scale: f64) -> Vec64 {
+    // Fixed point halves a sum of two equal numbers without a rounding.
+    let is_one = is_software::<f64>() && S::FLOAT.is_none() && x.0 == x.1 && origin.0 == origin.1;
+    let mut all = [0.0; 3];
+    for (i, to) in all.iter_mut().enumerate() {
+        *to = difference_in_double(*pick(&x.0, i), *pick(&origin.0, i), scale);
+        if !is_one {
+            let second = difference_in_double(*pick(&x.1, i), *pick(&origin.1, i), scale);
+            *to = (*to + second) * 0.5;
+        }
+    }
+    all
 }
 
 /// x or −x. In bits, because a processor does not foresee signs.

@@ -145,15 +145,17 @@ pub(super) fn least_measures<S: Scalar>(
         let measures = lengths.measures(way.is_along);
         Directed { unit: [0.0; 3], depth: f64::INFINITY, measures, way: *way }
     };
-    let mut best = (Way::NONE, Lengths::NONE);
     if is_whole::<S>() {
+        let mut best = (Way::NONE, Lengths::NONE);
         return exact_in_words(bodies, false, &mut best).ok()?.then(|| measured(&best));
     }
     let rough = rough();
     let mut filter = Filter::new::<S>(&rough);
     let wanted = Wanted::new(bodies, &mut filter).ok()?;
-    from_floats(&filter, &wanted, bodies, false)
-        .or_else(|| exact(bodies, &filter, &wanted, &mut best).ok()?.then(|| measured(&best)))
+    from_floats(&filter, &wanted, bodies, false).or_else(|| {
+        let mut best = (Way::NONE, Lengths::NONE);
+        exact(bodies, &filter, &wanted, &mut best).ok()?.then(|| measured(&best))
+    })
 }
 
 /// The way that floats leave and its numbers, if they are certain of all; with a unit vector if `has_unit`.
@@ -190,14 +192,16 @@ fn least_directed<S: Scalar>(
     bodies: &[Body<'_, S>; 2],
     rough: Option<&[Rough; 2]>,
 ) -> Option<Directed<S>> {
-    let mut best = (Way::NONE, Lengths::NONE);
     let Some(rough) = rough else {
+        let mut best = (Way::NONE, Lengths::NONE);
         return exact_in_words(bodies, false, &mut best).ok()?.then(|| directed(&best));
     };
     let mut filter = Filter::new::<S>(rough);
     let wanted = Wanted::new(bodies, &mut filter).ok()?;
-    from_floats(&filter, &wanted, bodies, true)
-        .or_else(|| exact(bodies, &filter, &wanted, &mut best).ok()?.then(|| directed(&best)))
+    from_floats(&filter, &wanted, bodies, true).or_else(|| {
+        let mut best = (Way::NONE, Lengths::NONE);
+        exact(bodies, &filter, &wanted, &mut best).ok()?.then(|| directed(&best))
+    })
 }
 
 /// The same for contact points, and in a mesh. Its frame is free before the points. A scalar that
