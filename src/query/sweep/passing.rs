@@ -6,11 +6,11 @@ use super::latest::Instant;
 use super::time::{Meets, When};
 use super::{FirstContact, Motion, rows, words};
 use crate::arithmetic::{
-    Arithmetic, Double, Each, Embeds, Float, InFloat, InWord, Number, REGISTERS_ARE_WIDE, Word,
-    greatest, least,
+    Arithmetic, Each, Embeds, Float, InFloat, InWord, Number, REGISTERS_ARE_WIDE, Word,
 };
 use crate::query::relation::{Relate, Relation};
 use crate::query::triangle_aabb::frame::{BoxForm, Frame};
+use crate::query::triangle_aabb::touches_face;
 use crate::robust::{Predicate, Profile, WordKernel, in_exact_numbers};
 use crate::scalar::{FixedBackend, Scalar};
 use crate::shape::{Aabb, AabbForm, Triangle, Vec3};
@@ -143,23 +143,10 @@ impl<S: Scalar> WordKernel<S> for Misses<'_, S> {
     }
 }
 
-impl<S: Scalar> Misses<'_, S> {
-    #[inline(always)]
-    fn is_false(&self) -> bool {
-        if !S::IN_QUADS {
-            return !S::evaluate(self);
-        }
-        match S::in_quads(self) {
-            Some(is_miss) => !is_miss,
-            None => self.0.touches_at_start() || !S::without_quads(self),
-        }
-    }
-}
-
 impl<S: Scalar> Passing<'_, S> {
     #[inline]
     pub(super) fn meet(self) -> bool {
-        Misses(self).is_false()
+        !S::evaluate(&Misses(self))
     }
 
     /// Whether the shapes have a point in common at the start. A body that rests on a surface is in doubt
@@ -175,9 +162,7 @@ impl<S: Scalar> Passing<'_, S> {
             Some(Instant::Misses) => None,
             Some(Instant::AtStart) => Some(FirstContact::default()),
             Some(Instant::Meets(last)) => Some(S::evaluate_numeric(&Meets { passing: self, last })),
-            Some(Instant::Unknown) | None if S::IN_QUADS && self.touches_at_start() => {
-                Some(FirstContact::default())
-            }
+            Some(Instant::Unknown) if self.touches_at_start() => Some(FirstContact::default()),
             Some(Instant::Unknown) | None => {
                 let misses = Misses(self);
                 let is_miss =
@@ -227,37 +212,24 @@ impl<S: Scalar> Predicate<S> for Nearest<'_, '_, S> {
 }
 
 impl<S: Scalar> Passing<'_, S> {
-    /// Whether a face of the box touches the triangle's projection all the way, as of a body that slides on
-    /// a level floor. Unless both are flat there, the shapes do not overlap.
+    /// Whether a face of the box touches the triangle all the way, as of a body that slides on a level
+    /// floor.
     fn stays_in_touch(&self) -> bool {
         let [from, to] = self.ends().each(Vec3::to_array);
-        let (p, q, is_by_center) = self.aabb.numbers();
-        let v = self.triangle.points();
-        let touches = |i: usize| {
-            let [a, b, c] = v.each(|v| v[i].in_double());
-            let (low, high) = (least(least(a, b), c), greatest(greatest(a, b), c));
-            let (p, q) = (p[i].in_double(), q[i].in_double());
-            // A sum is exact in two words, so one that is rounded differs from every coordinate.
-            let face = |half: f64| {
-                let face = Double::difference(p, -half);
-                if face.low == 0.0 { face.high } else { f64::NAN }
-            };
-            let (min, max) = if is_by_center { (face(-q), face(q)) } else { (p, q) };
-            (low == max || high == min) && !(low == high && min == max)
-        };
-        // Fixed point of 64 bits is rounded in `f64`.
-        S::IS_IN_DOUBLE && (0..3).any(|i| from[i] == to[i] && touches(i))
+        (0..3).any(|i| from[i] == to[i] && touches_face(self.triangle, self.aabb, i))
     }
 
     /// The nearest relation on the way.
     pub(super) fn relation(self) -> Relation {
         let question = Misses(self);
-        if !question.is_false() {
-            return Relation::Disjoint;
-        }
         let passing = &question.0;
-        if S::IN_QUADS && passing.stays_in_touch() {
+        let is_miss =
+            if S::IN_QUADS { S::in_quads(&question) } else { Some(S::evaluate(&question)) };
+        if is_miss.is_none() && passing.stays_in_touch() && passing.touches_at_start() {
             return Relation::Touching;
+        }
+        if is_miss.unwrap_or_else(|| S::without_quads(&question)) {
+            return Relation::Disjoint;
         }
         let between = S::evaluate(&Nearest { passing, is_at_end: false });
         if between != Relation::Touching || has_volume(passing.aabb) {

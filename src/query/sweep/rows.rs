@@ -185,8 +185,11 @@ impl<Q: Quad<Lane: Float>> Course<Q> {
                 return Some(Instant::Meets(last.map(|axis| Last { axis, after: after.into() })));
             }
         }
-        let misses = self.misses_on_axes(error, instants)?;
-        Some(if misses { Instant::Misses } else { Instant::Meets(None) })
+        Some(match self.misses_on_axes(error, instants) {
+            Some(true) => Instant::Misses,
+            Some(false) => Instant::Meets(None),
+            None => Instant::Unknown,
+        })
     }
 
     /// Whether one of the 19 axes separates all the way. The plane is known not to.

@@ -23,6 +23,7 @@ pub(super) mod words;
 pub(crate) use error_bound::bound_of_size;
 pub(crate) use frame::range;
 pub use prepared::PreparedTriangle;
+pub(super) use relation::touches_face;
 
 use super::one_sided::are_disjoint;
 use super::{Axis, Overlaps};

@@ -7,7 +7,8 @@ use super::error_bound::error_bound;
 use super::frame::{Frame, range};
 use super::kernel::{edge_axis, in_frame, normal, one_edge, one_face, plane_of_size};
 use crate::arithmetic::{
-    Arithmetic, Each, Embeds, InWord, Number, REGISTERS_ARE_WIDE, Word, dot, greatest,
+    Arithmetic, Double, Each, Embeds, InWord, Number, REGISTERS_ARE_WIDE, Word, dot, greatest,
+    least,
 };
 use crate::query::Axis;
 use crate::query::one_sided::relation;
@@ -31,7 +32,12 @@ impl<S: Scalar> Predicate<S> for Lie<'_, S> {
     type Answer = Relation;
 
     fn filter<N: Embeds<S>>(&self) -> Option<Relation> {
-        all_axes(&frame_if_held::<S, N>(&self.0)?)
+        let found = all_axes(&frame_if_held::<S, N>(&self.0)?);
+        // The shapes are known to have a point in common.
+        if REGISTERS_ARE_WIDE && !N::CERTAIN && found.is_none() && self.0.touch_on_a_face() {
+            return Some(Relation::Touching);
+        }
+        found
     }
 
     #[inline(always)]
@@ -40,6 +46,12 @@ impl<S: Scalar> Predicate<S> for Lie<'_, S> {
         S: FixedBackend,
     {
         S::in_machine_words(self)
+    }
+}
+
+impl<S: Scalar> Disjoint<'_, S> {
+    fn touch_on_a_face(&self) -> bool {
+        (0..3).any(|i| touches_face(self.triangle, self.aabb, i))
     }
 }
 
@@ -54,6 +66,27 @@ impl<S: Scalar> WordKernel<S> for Lie<'_, S> {
         }
         self.0.in_near_words(relation::<W>)
     }
+}
+
+/// Whether a face of the box touches the triangle's projection on axis i, so that the shapes do not overlap.
+/// `false` too if `f64` does not hold the scalar.
+pub(in crate::query) fn touches_face<S: Scalar>(
+    triangle: &Triangle<S>,
+    aabb: &Aabb<S>,
+    i: usize,
+) -> bool {
+    let [a, b, c] = triangle.points().each(|p| p[i].in_double());
+    let (low, high) = (least(least(a, b), c), greatest(greatest(a, b), c));
+    let (p, q, is_by_center) = aabb.numbers();
+    let (p, q) = (p[i].in_double(), q[i].in_double());
+    // Exact in two words. A sum that one word does not hold differs from every coordinate.
+    let face = |half: f64| {
+        let face = Double::difference(p, -half);
+        if face.low == 0.0 { face.high } else { f64::NAN }
+    };
+    let (min, max) = if is_by_center { (face(-q), face(q)) } else { (p, q) };
+    // In a plane that both lie in, they may overlap.
+    S::IS_IN_DOUBLE && (low == max || high == min) && !(low == high && min == max)
 }
 
 #[inline(never)]
