@@ -337,3 +337,47 @@ fn contacts_of_spheres_in_floats_have_the_bits_of_exact_numbers() {
     let least = [20_000, 15_000, 18_000, 6_000];
     assert!((0..4).all(|k| seen[k][0] > least[k]), "{seen:?}");
 }
+
+/// Capsules along a level floor, an end a little above the other or none: of how many floats know the
+/// contact, of those that lie level above it, and whose ends are not over its edges.
+fn known_along_a_floor<S: Scalar>(of: fn(f64) -> S) -> [usize; 2] {
+    let (mut draw, mut seen) = (Draw(7), [0; 2]);
+    for n in 0..400 {
+        let (axis, width, rise) = (n % 3, [0.4, 2.0][n / 3 % 2], [0.0, 0.0, 1.0, -1.0][n / 6 % 4]);
+        let at = |p: [f64; 3]| [0, 1, 2].each(|i: usize| of(p[(i + 3 - axis) % 3]));
+        let mut end = |z: f64| at([z, draw.number(4) * width, draw.number(5) * width]);
+        let ends = [end(0.5), end(0.5 + rise / 256.0)];
+        let floor = [[0.25, -1.0, -1.0], [0.25, 2.0, -1.0], [0.25, -1.0, 2.0]].map(at);
+        let triangle = Triangle::new(floor[0], floor[1], floor[2]).unwrap();
+        let low = at([-1.0; 3]);
+        let aabb = Aabb::from_min_max(low, at([0.25, 1.0, 1.0])).unwrap();
+        for flat in [Flat::Triangle(&triangle), Flat::Aabb(&aabb)] {
+            let [floats, _] = known(flat, ends, of(0.375));
+            if rise == 0.0 && width < 1.0 {
+                seen = [seen[0] + floats, seen[1] + 16];
+            }
+        }
+    }
+    seen
+}
+
+/// Of ends as near to a floor the first counts, and else the nearer one.
+#[test]
+fn capsules_along_a_floor_in_floats_have_the_bits_of_exact_numbers() {
+    if !REGISTERS_ARE_WIDE {
+        return;
+    }
+    let known = known_along_a_floor::<f32>(|x| x as f32);
+    assert_eq!(known[0], known[1]);
+    #[cfg(feature = "fixed")]
+    {
+        use fixed::types::{I4F28, I8F8, I16F16};
+        for known in [
+            known_along_a_floor::<I16F16>(I16F16::from_num),
+            known_along_a_floor::<I4F28>(I4F28::from_num),
+            known_along_a_floor::<I8F8>(I8F8::from_num),
+        ] {
+            assert_eq!(known[0], known[1]);
+        }
+    }
+}
