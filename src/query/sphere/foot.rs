@@ -270,6 +270,12 @@ mod tests {
                 let foot = short(at([0.7, -1.0, height])).map(|x| (x + 0.0).to_bits());
                 assert_eq!((feature, found.map(f32::to_bits)), (Feature::Edge(0), foot));
             }
+            // A coordinate of this normal is rounded to zero.
+            let (d, next) = (1e-12_f32, 1.000_000_2e-12_f32);
+            let point = [0.6, -0.3, 0.0];
+            let steep = [[-1.0, -1.0, -1.0], [d, next, 2.0], [1.0, 1.0, -1.0]];
+            let turned = |p: [f32; 3]| [p[axis], p[(axis + 1) % 3], p[(axis + 2) % 3]];
+            assert_eq!(in_double(&steep.map(turned), turned(point)), None);
         }
     }
 }
