@@ -110,10 +110,6 @@ impl<S: Scalar> Points<S> {
     pub(super) fn one(point: Point<S>) -> Self {
         Self { points: [point; MOST], count: 1 }
     }
-
-    pub(super) fn as_slice(&self) -> &[Point<S>] {
-        self.points.get(..self.count).unwrap_or(&[])
-    }
 }
 
 /// The minimum translation, and the points where the shapes overlap.
@@ -140,7 +136,7 @@ impl<S: Scalar> Contact<S> {
     /// The error is stated in [the module](super#points).
     #[must_use]
     pub fn points(&self) -> &[Point<S>] {
-        self.points.as_slice()
+        self.points.points.get(..self.points.count).unwrap_or(&[])
     }
 }
 

@@ -22,7 +22,7 @@ impl<T: Known> Seen<'_, T> {
     fn meeting(&self, outward: &Vec64) -> impl Iterator<Item = (usize, Vec64)> {
         let (inside, outside) = self.known.within();
         // A processor foresees the end of a loop better than which corners lie outside.
-        let left = !outside & ((1 << self.face.count()) - 1);
+        let left = !outside & ((1 << self.face.count) - 1);
         ones(left).filter_map(move |m| Some((m, self.meets(m, inside >> m & 1 == 1, outward)?)))
     }
 
@@ -70,8 +70,8 @@ struct Words<'a> {
 impl<'a> Words<'a> {
     fn new(view: &'a View, from: &'a Face, face: &'a Face) -> Self {
         let (mut all, mut left, mut right) = (0, 0, 0);
-        for n in 0..from.count() {
-            for m in 0..face.count() {
+        for n in 0..from.count {
+            for m in 0..face.count {
                 let bit = 1 << (CORNERS * n + m);
                 all |= bit;
                 let (Some(p), Some(to)) = (&from.words, &face.words) else { continue };
@@ -88,7 +88,7 @@ impl<'a> Words<'a> {
 
     /// Which edges may cross the line of each edge, and which certainly do.
     fn crossing(&self) -> [u32; 2] {
-        let [left, right] = [self.left, self.right].each(|bits| next(bits, self.face.count() - 1));
+        let [left, right] = [self.left, self.right].each(|bits| next(bits, self.face.count - 1));
         [self.all & !(self.left & left | self.right & right), self.left & right | self.right & left]
     }
 }
@@ -106,7 +106,7 @@ impl Known for Words<'_> {
         let [s, t] = parts(|x| x, [x, y], z);
         let is_within = s >= 0.0 && t >= 0.0;
         let is_within =
-            is_within && if from.count() == 3 { s + t <= 1.0 } else { s <= 1.0 && t <= 1.0 };
+            is_within && if from.count == 3 { s + t <= 1.0 } else { s <= 1.0 && t <= 1.0 };
         if !is_within {
             return None;
         }
@@ -239,14 +239,14 @@ mod tests {
                 let [x, y] = flat(&view.corner(a).flat, &b);
                 (x * x + y * y).sqrt() / view.tolerance
             };
-            for m in 0..face.count() {
+            for m in 0..face.count {
                 if known.within().1 >> m & 1 == 0 {
                     if let Some(at) = known.point(m) {
                         assert!(apart(at, face.corner(m).flat) < 0.5);
                         within += 1;
                     }
                 }
-                for n in 0..from.count() {
+                for n in 0..from.count {
                     if certain >> (CORNERS * n + m) & 1 == 1 {
                         let sides = Some(known.sides(n, m));
                         let [a, b] =

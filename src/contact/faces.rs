@@ -17,7 +17,8 @@ pub(super) struct Face {
     pub(super) corners: [Corner; CORNERS],
     vertices: [u8; CORNERS],
     edges: [u8; CORNERS],
-    count: usize,
+    /// How many corners and edges it has.
+    pub(super) count: usize,
     pub(super) number: u8,
     /// The corners in words, if the view has a unit.
     pub(super) words: Option<[Flat; CORNERS]>,
@@ -75,11 +76,6 @@ impl Face {
 
     pub(super) fn edges(&self) -> impl Iterator<Item = Edge<'_>> {
         (0..self.count).map(|n| self.edge(n))
-    }
-
-    /// How many corners and edges it has.
-    pub(super) fn count(&self) -> usize {
-        self.count
     }
 
     pub(super) fn vertex(&self, n: usize) -> u8 {

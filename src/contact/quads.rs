@@ -64,7 +64,7 @@ impl Quads {
             clear |= (side * side).exceeds(splat(margin)) << (CORNERS * n);
             sides[n] = side.to_array();
         }
-        let last = face.count() - 1;
+        let last = face.count - 1;
         let next = |bits| next(bits, last);
         let crossing = left & next(right) | right & next(left);
         let within = within(0xffff, left & clear, right & clear);
@@ -123,7 +123,7 @@ fn points(view: &View, from: &Face, to: &[Four; 2]) -> (u32, [[f64; CORNERS]; 3]
     let c = two(|k| to[k] - splat(base.flat[k]));
     let [s, t] = parts(splat, [a, b].each(|x| flat(&x.flat, &base.flat)), c);
     let (zero, one) = (splat(0.0), splat(1.0));
-    let is_below = if from.count() == 3 {
+    let is_below = if from.count == 3 {
         (s + t).is_at_most(one)
     } else {
         s.is_at_most(one) & t.is_at_most(one)
@@ -173,9 +173,9 @@ mod tests {
     fn signs(from: &Face, face: &Face) -> [[i64; CORNERS]; CORNERS] {
         let whole = |corner: &Corner| corner.flat.each(|x| x as i64);
         let mut signs = [[0; CORNERS]; CORNERS];
-        for (n, signs) in signs.iter_mut().enumerate().take(from.count()) {
+        for (n, signs) in signs.iter_mut().enumerate().take(from.count) {
             let [p, q] = from.ends(n).each(whole);
-            for (m, sign) in signs.iter_mut().enumerate().take(face.count()) {
+            for (m, sign) in signs.iter_mut().enumerate().take(face.count) {
                 let to = whole(face.corner(m));
                 let [a, b] = [q, to].each(|x| [x[0] - p[0], x[1] - p[1]]);
                 *sign = (a[0] * b[1] - a[1] * b[0]).signum();
@@ -201,8 +201,8 @@ mod tests {
                 assert_eq!((back.within.0, back.met, crossings), (0, 0, 0));
                 around += 1;
             }
-            let of = |m: usize| signs.iter().take(from.count()).map(move |signs| signs[m]);
-            for m in 0..face.count() {
+            let of = |m: usize| signs.iter().take(from.count).map(move |signs| signs[m]);
+            for m in 0..face.count {
                 let is_left = of(m).all(|sign| sign > 0) || of(m).all(|sign| sign < 0);
                 let is_out = of(m).any(|sign| sign > 0) && of(m).any(|sign| sign < 0);
                 let (inside, outside) = quads.within;
@@ -213,7 +213,7 @@ mod tests {
                     assert!((x - to_x).abs() < view.tolerance && (y - to_y).abs() < view.tolerance);
                     within += 1;
                 }
-                for n in 0..from.count() {
+                for n in 0..from.count {
                     let is_crossed = signs[n][m] * signs[n][face.next(m)] < 0;
                     assert_eq!(quads.crossing >> (CORNERS * n + m) & 1 == 1, is_crossed);
                     crossed += u32::from(is_crossed);

@@ -112,10 +112,6 @@ impl<S: Scalar + InWholeWord<i32>> Passing<'_, S> {
         !self.misses_in_any_words::<i32>()
     }
 
-    fn first_contact_in_words(&self) -> Option<FirstContact<S>> {
-        self.meet_in_words().then(|| self.contact_in_any_words::<i32>())
-    }
-
     /// As [`relation`](Self::relation). Doubled, vertices are below 2^19 in the frame of the box, the way
     /// and edges below 2^18, and volumes below 2^60.
     fn relation_near(&self) -> Relation
@@ -185,7 +181,8 @@ impl<T, S: Scalar + InWholeWord<i32>> Moving<T, S> {
     where
         T: Past<Other, S>,
     {
-        self.past(other, &self.motion).first_contact_in_words()
+        let passing = self.past(other, &self.motion);
+        passing.meet_in_words().then(|| passing.contact_in_any_words::<i32>())
     }
 
     /// [`Sweep::relation_along`](super::Sweep::relation_along), in 32-bit words and, for shapes that meet,

@@ -10,24 +10,20 @@ use crate::robust::{ExactSum, Linear, Vector, add_area, difference, minor_sign, 
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Triangle};
 
-/// How the gaps on one axis compare with zero: from the triangle to the box beyond it, on
-/// either side.
-fn gaps<S: Scalar>(triangle: &Triangle<S>, aabb: &Aabb<S>, axis: Axis) -> [Ordering; 2] {
+/// Whether one axis separates: whether a gap on it is above zero, from the triangle to the box beyond it,
+/// on either side.
+pub(super) fn separates<S: Scalar>(triangle: &Triangle<S>, aabb: &Aabb<S>, axis: Axis) -> bool {
     let t = ExactTriangle::new(&triangle.points());
     let b = ExactAabb::new(aabb.form());
-    match axis {
+    let gaps = match axis {
         Axis::Face(i) => face_gaps::<S>(&b, &t, usize::from(i % 3)),
         Axis::Normal => normal_gaps::<S>(&b, &t, &three(|i| t.normal_sign::<S>(i))),
         Axis::Edge { axis, edge } => {
             let (i, k) = (usize::from(axis % 3), usize::from(edge % 3));
             edge_gaps::<S>(&b, &t, i, k, t.normal_sign::<S>(i))
         }
-    }
-}
-
-/// Whether one axis separates.
-pub(super) fn separates<S: Scalar>(triangle: &Triangle<S>, aabb: &Aabb<S>, axis: Axis) -> bool {
-    gaps(triangle, aabb, axis).contains(&Ordering::Greater)
+    };
+    gaps.contains(&Ordering::Greater)
 }
 
 /// Face axis `i`.
