@@ -111,7 +111,9 @@ impl<L: Number> Setting<L> {
         self.volumes::<M>()
     }
 
-    /// [`perturbed`](Self::perturbed) in the areas of `M`.
+    /// [`perturbed`](Self::perturbed) in the areas of `M`. Out of line: it is seldom needed, and takes
+    /// registers from what comes before.
+    #[inline(never)]
     pub(super) fn perturbed_in<M: Arithmetic<Length = L>>(&self, k: usize) -> Ordering {
         let difference = |a: &[L; 3], b: &[L; 3]| three(|i| a[i] - b[i]);
         self.perturbed(k, difference, |a, b| {
