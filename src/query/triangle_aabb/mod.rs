@@ -25,7 +25,6 @@ pub(crate) use frame::range;
 pub use prepared::PreparedTriangle;
 pub(super) use relation::touches_face;
 
-use super::one_sided::are_disjoint;
 use super::{Axis, Overlaps};
 use crate::arithmetic::{
     Embeds, Filtered, Float, InFloat, InWord, Int64OfFloats, OfFour, OneType, Quad,
@@ -112,10 +111,7 @@ impl<S: Scalar> WordKernel<S> for Disjoint<'_, S> {
     where
         S: InWord<W>,
     {
-        if S::ALWAYS_NEAR {
-            return Some(self.in_any_words(are_disjoint::<W>));
-        }
-        self.in_near_words(are_disjoint::<W>)
+        if S::ALWAYS_NEAR { Some(self.in_any_words()) } else { self.in_near_words() }
     }
 }
 
@@ -218,7 +214,7 @@ impl<S: Scalar + InWord<i32>> Overlaps<Near<Aabb<S>>> for Near<Triangle<S>> {
     /// *Numerics*: exact, in 32-bit words alone. *Panics*: never.
     #[inline]
     fn overlaps(&self, aabb: &Near<Aabb<S>>) -> bool {
-        !Disjoint { triangle: self.get(), aabb: aabb.get() }.in_any_words(are_disjoint::<i32>)
+        !Disjoint { triangle: self.get(), aabb: aabb.get() }.in_any_words::<i32>()
     }
 }
 

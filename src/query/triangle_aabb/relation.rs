@@ -11,7 +11,6 @@ use crate::arithmetic::{
     least,
 };
 use crate::query::Axis;
-use crate::query::one_sided::relation;
 use crate::query::relation::{Nearness, Reading, Relate, Relation};
 use crate::robust::{Predicate, WordKernel};
 use crate::scalar::{FixedBackend, Scalar};
@@ -62,9 +61,9 @@ impl<S: Scalar> WordKernel<S> for Lie<'_, S> {
         S: InWord<W>,
     {
         if S::ALWAYS_NEAR {
-            return Some(self.0.in_any_words(relation::<W>));
+            return Some(self.0.relation_in_any_words());
         }
-        self.0.in_near_words(relation::<W>)
+        self.0.relation_in_near_words()
     }
 }
 

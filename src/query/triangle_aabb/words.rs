@@ -3,45 +3,22 @@
 
 use super::Disjoint;
 use crate::arithmetic::{Each, InWord, Word, out_of_line_if_wide, three};
-use crate::query::one_sided::Projection;
-#[cfg(feature = "fixed")]
-use crate::query::one_sided::relation;
-#[cfg(feature = "fixed")]
+use crate::query::one_sided::{Projection, are_disjoint, relation};
 use crate::query::relation::Relation;
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Triangle, Vec3};
 
 impl<S: Scalar> Disjoint<'_, S> {
-    /// What `ask` finds, in words wide enough for shapes anywhere.
+    /// The answer in words wide enough for shapes anywhere.
     #[inline(never)]
-    pub(super) fn in_any_words<W: Word, T>(&self, ask: impl Fn(&[Projection<W>; 3]) -> T) -> T
+    pub(super) fn in_any_words<W: Word>(&self) -> bool
     where
         S: InWord<W>,
     {
-        ask(&projections(self.triangle, self.aabb))
+        are_disjoint(&projections(self.triangle, self.aabb))
     }
 
-    /// The same in words wide enough for shapes near each other; `None` if they are not.
-    #[inline(never)]
-    pub(super) fn in_near_words<W: Word, T>(
-        &self,
-        ask: impl Fn(&[Projection<W>; 3]) -> T,
-    ) -> Option<T>
-    where
-        S: InWord<W>,
-    {
-        let ([x, y, z], _) = extents(self.aabb);
-        let projections = projections(self.triangle, self.aabb);
-        let is_near = W::is_central(x)
-            && W::is_central(y)
-            && W::is_central(z)
-            && Projection::are_near(&projections);
-        is_near.then(|| ask(&projections))
-    }
-
-    /// How the shapes lie to each other, in words wide enough for shapes anywhere: with less stack than by
-    /// [`in_any_words`](Self::in_any_words).
-    #[cfg(feature = "fixed")]
+    /// How the shapes lie to each other, likewise.
     #[inline(never)]
     pub(super) fn relation_in_any_words<W: Word>(&self) -> Relation
     where
@@ -49,6 +26,34 @@ impl<S: Scalar> Disjoint<'_, S> {
     {
         relation(&projections(self.triangle, self.aabb))
     }
+
+    /// The answer in words wide enough for shapes near each other; `None` if they are not.
+    #[inline(never)]
+    pub(super) fn in_near_words<W: Word>(&self) -> Option<bool>
+    where
+        S: InWord<W>,
+    {
+        let (min, _) = extents(self.aabb);
+        let shapes = projections(self.triangle, self.aabb);
+        are_near(&min, &shapes).then(|| are_disjoint(&shapes))
+    }
+
+    /// How the shapes lie to each other, likewise.
+    #[inline(never)]
+    pub(super) fn relation_in_near_words<W: Word>(&self) -> Option<Relation>
+    where
+        S: InWord<W>,
+    {
+        let (min, _) = extents(self.aabb);
+        let shapes = projections(self.triangle, self.aabb);
+        are_near(&min, &shapes).then(|| relation(&shapes))
+    }
+}
+
+/// Whether words have room for shapes and the least corner of the box.
+#[inline(always)]
+fn are_near<W: Word>([x, y, z]: &[W; 3], shapes: &[Projection<W>; 3]) -> bool {
+    x.is_central() && y.is_central() && z.is_central() && Projection::are_near(shapes)
 }
 
 /// The shapes projected on the coordinate axes, relative to the least corner of the box.
