@@ -90,8 +90,13 @@ impl<S: Scalar> Body<'_, S> {
         let origin = origin.origin();
         let less = |x: S, other: S| difference_in_double(x, other, scale);
         let from = |x: &Place<S>| mean(x, &origin, scale);
-        let in_double =
-            |x: [S; 3], scale: f64| part(|| x.each(|x| scaled::<S>(x.in_double(), scale)));
+        let in_double = |x: [S; 3], scale: f64| {
+            part(|| {
+                let all = x.each(S::in_double);
+                let is_done = is_software::<f64>() && is_one(scale);
+                if is_done { all } else { all.each(|x| scaled::<S>(x, scale)) }
+            })
+        };
         let lengths = |x: [S; 3]| in_double(x, scale);
         let aligned = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
         let (sides, half) = match self {
@@ -188,10 +193,16 @@ pub(super) fn scaled<S: Scalar>(x: f64, scale: f64) -> f64 {
     if S::FLOAT.is_none() { x } else { x * scale }
 }
 
+/// Whether a float is one, by its bits.
+#[inline(always)]
+fn is_one(x: f64) -> bool {
+    x.to_bits() == 1.0_f64.to_bits()
+}
+
 /// (x − other)·scale. A power of two below one keeps the difference within the range of `f64`.
 pub(super) fn difference_in_double<S: Scalar>(x: S, other: S, scale: f64) -> f64 {
     part(|| {
-        if S::FLOAT.is_none() || scale == 1.0 {
+        if S::FLOAT.is_none() || is_one(scale) {
             x.beyond_in_double(other)
         } else {
             x.in_double() * scale - other.in_double() * scale
@@ -204,11 +215,11 @@ pub(super) fn difference_in_double<S: Scalar>(x: S, other: S, scale: f64) -> f64
 #[cfg_attr(not(target_pointer_width = "64"), inline(never))]
 fn mean<S: Scalar>(x: &Place<S>, origin: &Place<S>, scale: f64) -> Vec64 {
     // Fixed point halves a sum of two equal numbers without a rounding.
-    let is_one = is_software::<f64>() && S::FLOAT.is_none() && x.0 == x.1 && origin.0 == origin.1;
+    let are_one = is_software::<f64>() && S::FLOAT.is_none() && x.0 == x.1 && origin.0 == origin.1;
     let mut all = [0.0; 3];
     for (i, to) in all.iter_mut().enumerate() {
         *to = difference_in_double(*pick(&x.0, i), *pick(&origin.0, i), scale);
-        if !is_one {
+        if !are_one {
             let second = difference_in_double(*pick(&x.1, i), *pick(&origin.1, i), scale);
             *to = (*to + second) * 0.5;
         }
