@@ -109,6 +109,7 @@ macro_rules! integer {
                 debug_assert!(self > 0 && self <= den);
                 [$divided(self.unsigned_abs().into(), den.unsigned_abs().into()); 2]
             }
+            #[cfg_attr(target_pointer_width = "64", inline(always))]
             fn sign_and_size(self) -> Option<(Ordering, Soft)> {
                 let sign = self.cmp(&0);
                 sign.is_ne().then(|| (sign, Soft::of(self.unsigned_abs().into(), 0, 0)))
