@@ -52,24 +52,6 @@ impl Course<Filtered<f64>> {
         }
         Some(all)
     }
-
-    /// The time at which an axis closes, given that it closes last.
-    #[inline(always)]
-    fn at_last<S: Scalar>(&self, last: Last) -> Option<FirstContact<S>> {
-        let bounds = at_start(self.frame.size_along(&self.d))?;
-        let closing = match last.axis {
-            Axis::Face(i) => self.closing_face(usize::from(i % 3)),
-            Axis::Normal => Some(self.closing_plane(&normal(&self.frame), &bounds)),
-            Axis::Edge { axis, edge } => {
-                let (i, n) = (usize::from(axis % 3), normal(&self.frame));
-                self.closing_edge(i, usize::from(edge % 3), n[i], &bounds)
-            }
-        };
-        let [[gap, error], [speed, speed_error]] = closing?;
-        let [low, high] = gap.portion(speed, [error, speed_error]).each(S::at_most);
-        let is_known = (low == high) & (gap > error);
-        if is_known { last.at(low) } else { None }
-    }
 }
 
 impl Gaps {

@@ -17,10 +17,10 @@
 
 use super::FirstContact;
 use super::error_bound::{Along, AtStart, FACE, along, at_start};
-use super::latest::{Closing, Latest};
+use super::latest::{Closing, Last, Latest, closing_time};
 use crate::arithmetic::{
-    Arithmetic, Each, Embeds, Number, cross, dot, following, greatest, least, of_two, once,
-    out_of_line, pick,
+    Arithmetic, Each, Number, cross, dot, following, greatest, least, of_two, once, out_of_line,
+    pick,
 };
 use crate::query::Axis;
 use crate::query::relation::{Nearness, Reading, Relation};
@@ -71,40 +71,23 @@ impl<N: Arithmetic> Course<N> {
     #[inline(always)]
     fn read_slanted<R: Reading>(&self, so_far: &mut R) -> Option<()> {
         let Self { frame, d } = self;
-        if N::LARGE {
-            self.read_large(so_far);
-            return Some(());
-        }
-        let error = along::<N>(frame.size_along(d))?;
+        let none = Along { area: Number::ZERO, volume: Number::ZERO };
+        let error = if N::LARGE { none } else { along::<N>(frame.size_along(d))? };
         let n = normal(frame);
         let half_way = of_two::<N, _>(dot::<N>(&n, d));
-        self.plane(so_far, &n, half_way, error.volume);
+        apart_if_large::<N>(|| self.plane(so_far, &n, half_way, error.volume));
+        // Of large numbers one axis after another, until one separates.
         for k in 0..3 {
-            self.edge(so_far, k, &n, half_way, &error);
+            if !(N::LARGE && so_far.is_disjoint()) {
+                apart_if_large::<N>(|| self.edge(so_far, k, &n, half_way, &error));
+            }
         }
         for i in 0..3 {
-            self.across(so_far, i, error.area);
+            if !(N::LARGE && so_far.is_disjoint()) {
+                apart_if_large::<N>(|| self.across(so_far, i, error.area));
+            }
         }
         Some(())
-    }
-
-    /// The same of large numbers: one axis after another, until one separates.
-    fn read_large<R: Reading>(&self, so_far: &mut R) {
-        let Self { frame, d } = self;
-        let error = Along { area: Number::ZERO, volume: Number::ZERO };
-        let n = normal(frame);
-        let half_way = of_two::<N, _>(dot::<N>(&n, d));
-        out_of_line(|| self.plane(so_far, &n, half_way, error.volume));
-        for k in 0..3 {
-            if !so_far.is_disjoint() {
-                out_of_line(|| self.edge(so_far, k, &n, half_way, &error));
-            }
-        }
-        for i in 0..3 {
-            if !so_far.is_disjoint() {
-                out_of_line(|| self.across(so_far, i, error.area));
-            }
-        }
     }
 
     /// A face of the box, for the relation.
@@ -235,45 +218,39 @@ impl<N: Arithmetic> Course<N> {
         so_far.add_if(is_own, greatest(low, -high) - r, (high - low) + r, error);
     }
 
-    /// When and on which axis the triangle meets the box, if it does and `N` decides it. If an axis
-    /// is known to close last, only that axis is computed.
+    /// When and on which axis the triangle meets the box, if it does and `N` decides it.
     #[inline(always)]
-    pub(super) fn first_contact<S: Scalar>(&self, last: Option<Axis>) -> Option<FirstContact<S>>
-    where
-        N: Embeds<S>,
-    {
+    pub(super) fn first_contact<S: Scalar>(&self) -> Option<FirstContact<S>> {
         let error: AtStart<N> = at_start(self.frame.size_along(&self.d))?;
         let mut latest = Latest::<S>::NONE;
-        let is_asked = |axis: Axis| last.is_none_or(|last| last == axis);
         for i in 0..3 {
-            let axis = Axis::Face(i as u8);
-            if is_asked(axis) {
-                latest.add(axis, self.closing_face(i));
-            }
+            latest.add(Axis::Face(i as u8), self.closing_face(i));
         }
         let n = normal(&self.frame);
-        if is_asked(Axis::Normal) {
-            if N::LARGE {
-                out_of_line(|| latest.add(Axis::Normal, Some(self.closing_plane(&n, &error))));
-            } else {
-                latest.add(Axis::Normal, Some(self.closing_plane(&n, &error)));
-            }
-        }
+        let plane = || Some(self.closing_plane(&n, &error));
+        apart_if_large::<N>(|| latest.add(Axis::Normal, plane()));
         for i in 0..3 {
             for k in 0..3 {
-                let axis = Axis::Edge { axis: i as u8, edge: k as u8 };
-                if !is_asked(axis) {
-                    continue;
-                }
-                if N::LARGE {
-                    let n = *pick(&n, i);
-                    out_of_line(|| latest.add(axis, self.closing_edge(i, k, n, &error)));
-                } else {
-                    latest.add(axis, self.closing_edge(i, k, n[i], &error));
-                }
+                let (axis, n) = (Axis::Edge { axis: i as u8, edge: k as u8 }, *pick(&n, i));
+                apart_if_large::<N>(|| latest.add(axis, self.closing_edge(i, k, n, &error)));
             }
         }
         latest.known()
+    }
+
+    /// The same, given the axis that closes last.
+    #[inline(always)]
+    pub(super) fn at_last<S: Scalar>(&self, last: Last) -> Option<FirstContact<S>> {
+        let error: AtStart<N> = at_start(self.frame.size_along(&self.d))?;
+        let n = || normal(&self.frame);
+        last.at(match last.axis {
+            Axis::Face(i) => closing_time(self.closing_face(usize::from(i % 3))?),
+            Axis::Normal => closing_time(self.closing_plane(&n(), &error)),
+            Axis::Edge { axis, edge } => {
+                let (i, k) = (usize::from(axis % 3), usize::from(edge % 3));
+                closing_time(self.closing_edge(i, k, n()[i], &error)?)
+            }
+        }?)
     }
 
     /// The gap on a face at the start and the speed that closes it, each with its error; `None` if
@@ -326,6 +303,12 @@ impl<N: Arithmetic> Course<N> {
         let speed = once::<N, _>(N::area(e[j], d[l]) - N::area(e[l], d[j])).magnitude();
         Some([[gap, error.gap.edge], [speed, error.area_speed]])
     }
+}
+
+/// A call, if numbers are large.
+#[inline(always)]
+fn apart_if_large<N: Arithmetic>(f: impl FnOnce()) {
+    if N::LARGE { out_of_line(f) } else { f() }
 }
 
 /// How far a box reaches along a vector.

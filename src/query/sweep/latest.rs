@@ -43,6 +43,13 @@ impl Last {
 /// A gap at the start and the speed that closes it, each with its error.
 pub(super) type Closing<T> = [[T; 2]; 2];
 
+/// The time at which an axis closes, rounded down, if it certainly has a gap.
+#[inline(always)]
+pub(super) fn closing_time<S: Scalar, T: Number>([[gap, error], speed]: Closing<T>) -> Option<S> {
+    let [low, high] = gap.portion(speed[0], [error, speed[1]]).each(S::at_most);
+    ((low == high) & Uncertain::above(gap, error).certain).then_some(low)
+}
+
 /// The latest of the times at which axes stop separating, with errors.
 ///
 /// Each time is rounded down to the scalar by itself. Rounding keeps the order, so the latest

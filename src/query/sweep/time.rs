@@ -50,8 +50,7 @@ impl<S: Scalar> Predicate<S> for Meets<'_, S> {
             return None;
         }
         let course = self.passing.course::<N>()?;
-        let on_axis = |last: Last| course.first_contact(Some(last.axis)).and_then(|x| last.at(x.t));
-        self.last.and_then(on_axis).or_else(|| course.first_contact(None))
+        self.last.and_then(|last| course.at_last(last)).or_else(|| course.first_contact())
     }
 
     #[inline(always)]
