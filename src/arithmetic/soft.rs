@@ -166,6 +166,12 @@ impl Soft {
         Self::of_leading(value, (u128::from(a.slack) << 63) + loss, a.exponent - 63)
     }
 
+    /// The quotient by an exact power of two.
+    #[inline(always)]
+    pub(crate) fn over_power(self, power: Self) -> Self {
+        self.scaled(-63 - power.exponent)
+    }
+
     pub(crate) fn over(self, other: Self) -> Self {
         self.over_by(&other.divisor())
     }

@@ -42,7 +42,7 @@ impl<N: Arithmetic> Units<N> {
 /// Sign and size of a number in a unit, which is a power of two.
 fn in_units<T: Number>(x: T, unit: T) -> Option<(Ordering, Soft)> {
     let ((sign, size), (_, unit)) = (x.sign_and_size()?, unit.sign_and_size()?);
-    Some((sign, size.over(unit)))
+    Some((sign, size.over_power(unit)))
 }
 
 /// A size of a number that is above zero; `None` for other numbers.
