@@ -88,43 +88,50 @@ pub(super) trait Lanes:
     }
 }
 
-impl Lanes for f64 {
-    type Lane = Self;
-    type All = [[Self; 2]; 16];
-    const COUNT: usize = 1;
+// A float, for cores without rows.
+macro_rules! one {
+    ($float:ty) => {
+        impl Lanes for $float {
+            type Lane = Self;
+            type All = [[Self; 2]; 16];
+            const COUNT: usize = 1;
 
-    fn all(all: [Self; 2]) -> Self::All {
-        [all; 16]
-    }
-    #[inline(always)]
-    fn of(lane: impl Fn(usize) -> Self) -> Self {
-        lane(0)
-    }
-    #[inline(always)]
-    fn lane(self, _: usize) -> Self {
-        self
-    }
-    #[inline(always)]
-    fn size(self) -> Self {
-        self.abs()
-    }
-    #[inline(always)]
-    fn most(self, other: Self) -> Self {
-        greatest(self, other)
-    }
-    #[inline(always)]
-    fn least(self, other: Self) -> Self {
-        least(self, other)
-    }
-    #[inline(always)]
-    fn is_above(self, other: Self) -> u32 {
-        (self > other).into()
-    }
-    #[inline(always)]
-    fn is_within(self, other: Self) -> u32 {
-        (self <= other).into()
-    }
+            fn all(all: [Self; 2]) -> Self::All {
+                [all; 16]
+            }
+            #[inline(always)]
+            fn of(lane: impl Fn(usize) -> Self) -> Self {
+                lane(0)
+            }
+            #[inline(always)]
+            fn lane(self, _: usize) -> Self {
+                self
+            }
+            #[inline(always)]
+            fn size(self) -> Self {
+                self.abs()
+            }
+            #[inline(always)]
+            fn most(self, other: Self) -> Self {
+                greatest(self, other)
+            }
+            #[inline(always)]
+            fn least(self, other: Self) -> Self {
+                least(self, other)
+            }
+            #[inline(always)]
+            fn is_above(self, other: Self) -> u32 {
+                (self > other).into()
+            }
+            #[inline(always)]
+            fn is_within(self, other: Self) -> u32 {
+                (self <= other).into()
+            }
+        }
+    };
 }
+one! { f32 }
+one! { f64 }
 
 impl<Q: Quad<Lane: Measure>> Lanes for Q {
     type Lane = Q::Lane;

@@ -7,7 +7,7 @@ use super::filter::{Filter, Ruler};
 use super::lanes::Lanes;
 use super::lanes::Measure;
 use super::rows;
-use crate::arithmetic::{Each, OfFour, REGISTERS_ARE_WIDE, least as smaller, two};
+use crate::arithmetic::{Each, OfFour, REGISTERS_ARE_WIDE, SMALL_CODE, least as smaller, two};
 use crate::scalar::Scalar;
 
 /// Directions, and the translations that may be the least, as a bit for each direction: those against
@@ -109,22 +109,29 @@ fn is_single([against, along]: [u16; 2]) -> bool {
 /// along them; all as bits. Out of line and of no scalar, so that all scalars share it.
 #[inline(never)]
 fn by_floats(mut needed: u16, ruler: &Ruler<'_, f64>) -> Result<[u16; 2], Apart> {
-    if !REGISTERS_ARE_WIDE {
-        return of_lanes::<f64>(needed, ruler);
-    }
-    if needed.count_ones() > 4 {
-        let wanted = if ruler.are_triangles == [false; 2] {
+    // Small cores too: functions of `f32` take half the instructions, and a machine's operations few.
+    if (REGISTERS_ARE_WIDE || !SMALL_CODE) && needed.count_ones() > 4 {
+        let wanted = if REGISTERS_ARE_WIDE && ruler.are_triangles == [false; 2] {
             rows::wanted(needed, ruler.shapes)?
         } else {
             let short = two(|n| ruler.shapes[n].short());
-            of_lanes::<<f32 as OfFour>::Quad>(needed, &Ruler::new(&short))?
+            let ruler = Ruler::new(&short);
+            if REGISTERS_ARE_WIDE {
+                of_lanes::<<f32 as OfFour>::Quad>(needed, &ruler)?
+            } else {
+                of_lanes::<f32>(needed, &ruler)?
+            }
         };
         if is_single(wanted) {
             return Ok(wanted);
         }
         needed = wanted[0] | wanted[1];
     }
-    of_lanes::<<f64 as OfFour>::Quad>(needed, ruler)
+    if REGISTERS_ARE_WIDE {
+        of_lanes::<<f64 as OfFour>::Quad>(needed, ruler)
+    } else {
+        of_lanes::<f64>(needed, ruler)
+    }
 }
 
 /// The same in one kind of lanes.
@@ -194,13 +201,13 @@ mod tests {
     use crate::contact::body::{Rough, Vec64};
     use crate::random::Random;
 
-    /// Rows of `f32` leave all directions of two boxes that `f64` leaves, and mostly no other. The boxes are
-    /// turned anyhow or nearly alike, and orthonormal, skewed or with axes not of unit length.
+    /// `f32`, in rows or one by one, leaves all directions of two boxes that `f64` leaves, and mostly no other.
+    /// The boxes are turned anyhow or nearly alike, and orthonormal, skewed or with axes not of unit length.
     #[test]
-    fn rows_leave_what_f64_leaves() {
+    fn f32_leaves_what_f64_leaves() {
         let mut random = Random(0x20e5);
         let mut number = || f64::from(random.bits() as i32) * 2_f64.powi(-31);
-        let mut counts = [0; 3];
+        let mut counts = [[0; 3]; 2];
         for n in 0..60_000_i32 {
             let by = if n % 7 == 0 { 2_f64.powi(n % 9 - 4) } else { 1.0 };
             let [mut first, mut second] = [(); 2].each(|()| three(|_| three(|_| by * number())));
@@ -221,19 +228,25 @@ mod tests {
             });
             let all = u16::MAX >> 1;
             let truth = of_lanes::<f64>(all, &Ruler::new(&shapes));
-            match (rows::wanted(all, &shapes), truth) {
-                (Err(Apart), Err(Apart)) => counts[0] += 1,
-                (Err(Apart), Ok(_)) => panic!("{n}"),
-                (Ok(_), Err(Apart)) => counts[1] += 1,
-                (Ok(found), Ok(truth)) => {
-                    for side in 0..2 {
-                        assert_eq!(truth[side] & !found[side], 0, "{found:?} {truth:?} {n}");
+            let short = two(|k| shapes[k].short());
+            let found = [rows::wanted(all, &shapes), of_lanes::<f32>(all, &Ruler::new(&short))];
+            for (found, counts) in found.iter().zip(&mut counts) {
+                match (found, &truth) {
+                    (Err(Apart), Err(Apart)) => counts[0] += 1,
+                    (Err(Apart), Ok(_)) => panic!("{n}"),
+                    (Ok(_), Err(Apart)) => counts[1] += 1,
+                    (Ok(found), Ok(truth)) => {
+                        for side in 0..2 {
+                            assert_eq!(truth[side] & !found[side], 0, "{found:?} {truth:?} {n}");
+                        }
+                        counts[2] += usize::from(is_single(*found));
                     }
-                    counts[2] += usize::from(is_single(found));
                 }
             }
         }
-        assert!(counts[0] > 1000 && counts[1] < 1000 && counts[2] > 10_000, "{counts:?}");
+        for [apart, doubtful, single] in counts {
+            assert!(apart > 1000 && doubtful < 1000 && single > 10_000, "{counts:?}");
+        }
     }
 
     /// The frame of a vector, by Cayley's formula.
