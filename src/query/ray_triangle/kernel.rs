@@ -54,9 +54,6 @@ impl<L: Copy> Setting<L> {
     /// infinitesimal amount along the first axis, by one infinitely smaller along the second, and
     /// again along the third. For a positive determinant. Each sign is a derivative with respect to
     /// the origin: the sign of the first component of a cross product that is not zero.
-    ///
-    /// Out of line: it is seldom needed, and takes registers from what comes before.
-    #[inline(never)]
     pub(super) fn perturbed(
         &self,
         k: usize,
@@ -114,7 +111,9 @@ impl<L: Number> Setting<L> {
         self.volumes::<M>()
     }
 
-    /// [`perturbed`](Self::perturbed) in the areas of `M`.
+    /// [`perturbed`](Self::perturbed) in the areas of `M`. Out of line: it is seldom needed, and takes
+    /// registers from what comes before.
+    #[inline(never)]
     pub(super) fn perturbed_in<M: Arithmetic<Length = L>>(&self, k: usize) -> Ordering {
         let difference = |a: &[L; 3], b: &[L; 3]| three(|i| a[i] - b[i]);
         self.perturbed(k, difference, |a, b| {

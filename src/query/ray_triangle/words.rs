@@ -82,7 +82,7 @@ impl<S: Scalar> Crosses<'_, S> {
                 true => compare(t, zero),
                 false => S::compare_quotient(t, det, end),
             },
-            |k| setting.perturbed(k, minus, first_sign),
+            |k| perturbed(setting, k),
         )
     }
 
@@ -121,6 +121,12 @@ impl<S: Scalar> Crosses<'_, S> {
         self.admits(is_front, volumes.zeros(), compare_with, perturbed)?
             .then_some(Counted { is_front, volumes })
     }
+}
+
+/// [`Setting::perturbed`] in words, out of line as [`Setting::perturbed_in`] is.
+#[inline(never)]
+fn perturbed<W: Word>(setting: &Setting<W>, k: usize) -> Ordering {
+    setting.perturbed(k, minus, first_sign)
 }
 
 /// The hit, with each number rounded once.
