@@ -88,7 +88,7 @@ pub(super) trait Lanes:
     }
 }
 
-// A float, for cores without rows.
+// One direction at a time, for cores with 32-bit registers.
 macro_rules! one {
     ($float:ty) => {
         impl Lanes for $float {

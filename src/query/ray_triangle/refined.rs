@@ -146,20 +146,36 @@ impl<S: Scalar> Crosses<'_, S> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Two([f64; 2]);
 
-macro_rules! operators {
-    ($($operator:ident: $function:ident;)*) => {$(
-        impl $operator for Two {
-            type Output = Self;
-            #[inline(always)]
-            fn $function(self, other: Self) -> Self {
-                Self([self.0[0].$function(other.0[0]), self.0[1].$function(other.0[1])])
-            }
-        }
-    )*};
+impl Add for Two {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        self.with(other, f64::add)
+    }
 }
-operators! { Add: add; Sub: sub; Mul: mul; }
+
+impl Sub for Two {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        self.with(other, f64::sub)
+    }
+}
+
+impl Mul for Two {
+    type Output = Self;
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        self.with(other, f64::mul)
+    }
+}
 
 impl Two {
+    #[inline(always)]
+    fn with(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
+        Self([f(self.0[0], other.0[0]), f(self.0[1], other.0[1])])
+    }
+
     #[inline(always)]
     fn swapped(self) -> Self {
         Self([self.0[1], self.0[0]])
