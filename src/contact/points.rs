@@ -49,6 +49,8 @@ const UP: f64 = exp2(800);
 const DOWN: f64 = exp2(-600);
 
 /// The contact points of a translation.
+// Inlined on a small core, its frame would be there while the way is sought.
+#[cfg_attr(not(target_pointer_width = "64"), inline(never))]
 pub(super) fn points<S: Scalar>(
     bodies: &[Body<'_, S>; 2],
     origin: &Place<S>,
