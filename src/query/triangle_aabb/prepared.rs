@@ -77,17 +77,20 @@ impl<S: Scalar> PreparedTriangle<S> {
     #[inline]
     #[must_use]
     pub fn overlaps(&self, aabb: &Aabb<S>) -> bool {
-        let apart = || {
-            let rows = self.rows.as_ref()?;
-            let frame = self.in_frame(rows, aabb)?;
-            let bound = offset_bound(size_in_range(&frame)?);
-            rows.apart_by_bounds(&frame, bound, bound, true).ok()
-        };
-        match apart() {
+        match self.apart(aabb) {
             Some(apart) => !apart,
             // By value, because a box just made stays in registers.
             None => ask_the_triangle(&self.triangle, *aabb),
         }
+    }
+
+    /// Whether an axis separates, if that is clear.
+    #[inline(always)]
+    fn apart(&self, aabb: &Aabb<S>) -> Option<bool> {
+        let rows = self.rows.as_ref()?;
+        let frame = self.in_frame(rows, aabb)?;
+        let bound = offset_bound(size_in_range(&frame)?);
+        rows.apart_by_bounds(&frame, bound, bound, true).ok()
     }
 
     #[inline(always)]
