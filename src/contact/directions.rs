@@ -2,7 +2,7 @@
 //! measured.
 
 use super::body::Body;
-use crate::arithmetic::{Each, Number, REGISTERS_ARE_WIDE, pick, three, turn, two};
+use crate::arithmetic::{Each, Number, REGISTERS_ARE_WIDE, three, turn, two};
 use crate::scalar::Scalar;
 
 /// An axis: the cross product of two sides of the shapes.
@@ -101,8 +101,6 @@ pub(super) struct Axes {
     shared: u8,
     /// The coordinates of each side that are not zero, as bits.
     nonzero: [[u8; 3]; 2],
-    /// Coordinate axes that have occurred, as directions that are not zero.
-    seen: [bool; 3],
     /// The axis of the first box that equals each axis of the second, if there is one.
     pub(super) same: [Option<usize>; 3],
 }
@@ -139,11 +137,12 @@ impl Axes {
         } else {
             two(|n| three(|k| bits(&sides[n][k])))
         };
-        Self { are_triangles, shared, nonzero, seen: [false; 3], same }
+        Self { are_triangles, shared, nonzero, same }
     }
 
     /// Whether a direction of two boxes is zero, or equal to an earlier one, because of axes that
     /// the boxes share.
+    #[inline]
     fn is_shared(&self, [x, y]: [u8; 2]) -> bool {
         let own = 1 << x | 1 << y;
         match (x >= 3, y >= 3) {
@@ -181,53 +180,64 @@ impl Axes {
     /// `is_clear` says whether coordinate `axis`, the only one of a direction that may differ from zero,
     /// certainly does.
     pub(super) fn needed(
-        &mut self,
+        &self,
         all: &[Direction],
         is_clear: impl Fn([u8; 2], usize) -> bool,
     ) -> u16 {
-        let every = u16::MAX >> (16 - all.len() as u32 % 16);
-        match self.shared {
+        if self.are_alike() {
             // The faces of the first box.
-            _ if self.are_alike() => 7,
-            0 if self.nonzero == [[7; 3]; 2] => every,
-            _ => {
-                sides_of_all(self.are_triangles).iter().enumerate().fold(
-                    0,
-                    |needed, (n, &sides)| {
-                        needed | u16::from(!self.is_superfluous(sides, &is_clear)) << n
-                    },
-                ) & every
+            return 7;
+        }
+        if self.shared == 0 && self.nonzero == [[7; 3]; 2] {
+            return u16::MAX >> (16 - all.len() as u32 % 16);
+        }
+        let ([a, b, c], [d, e, f]) = (self.nonzero[0], self.nonzero[1]);
+        let nonzero = [a, b, c, d, e, f, f, f];
+        let products = |sides: [u8; 2]| {
+            let [x, y] = sides.each(|side| nonzero[usize::from(side & 7)]);
+            PRODUCTS[usize::from(x << 3 | y) & 63]
+        };
+        let all_sides = sides_of_all(self.are_triangles);
+        // As bits, without a branch: the directions that are not certainly zero, and those with a single coordinate.
+        let (mut needed, mut single) = (0, 0);
+        for (n, &sides) in all_sides.iter().enumerate().take(all.len()) {
+            let products = products(sides);
+            needed |= u16::from(products != 0) << n;
+            single |= u16::from(products >> 3) << n;
+        }
+        if self.shared != 0 {
+            for (n, &sides) in all_sides.iter().enumerate() {
+                needed &= !(u16::from(self.is_shared(sides)) << n);
             }
         }
-    }
-
-    fn is_superfluous(
-        &mut self,
-        sides: [u8; 2],
-        is_clear: impl Fn([u8; 2], usize) -> bool,
-    ) -> bool {
-        if self.is_shared(sides) {
-            return true;
+        // Coordinate axes that have occurred, as directions that are not zero.
+        let (mut left, mut seen) = (needed & single, 0);
+        while left != 0 {
+            let (n, rest) = (left.trailing_zeros() as usize % 16, left & (left - 1));
+            let axis = products(all_sides[n]) & 7;
+            if seen & axis != 0 {
+                needed ^= left ^ rest;
+            } else if is_clear(all_sides[n], axis.trailing_zeros() as usize % 3) {
+                seen |= axis;
+            }
+            left = rest;
         }
-        let bits = |n: u8| {
-            let [first, second] = &self.nonzero;
-            let of = if n < 3 { pick(first, n.into()) } else { pick(second, usize::from(n) - 3) };
-            u32::from(*of)
-        };
-        let [x, y] = sides.each(bits);
-        // Bit i of the first has coordinate i + 1, and of the second i + 2, modulo three.
-        let turned = |bits: u32| [bits >> 1 | bits << 2, bits >> 2 | bits << 1];
-        let ([x1, x2], [y1, y2]) = (turned(x), turned(y));
-        // The coordinates with products that are not zero, underflow apart.
-        let products = (x1 & y2 | x2 & y1) & 7;
-        if !products.is_power_of_two() {
-            return products == 0;
-        }
-        let axis = products.trailing_zeros() as usize % 3;
-        if self.seen[axis] {
-            return true;
-        }
-        self.seen[axis] = is_clear(sides, axis);
-        false
+        needed
     }
 }
+
+/// The coordinates of a cross product that have products which are not zero, underflow apart, as bits, by those of
+/// its sides that are not zero. The fourth bit says that it is one.
+const PRODUCTS: [u8; 64] = {
+    let (mut all, mut n) = ([0; 64], 0);
+    while n < 64 {
+        let (x, y) = (n as u8 >> 3, n as u8 & 7);
+        // Bit i of the first has coordinate i + 1, and of the second i + 2, modulo three.
+        let ([x1, x2], [y1, y2]) =
+            ([x >> 1 | x << 2, x >> 2 | x << 1], [y >> 1 | y << 2, y >> 2 | y << 1]);
+        let products = (x1 & y2 | x2 & y1) & 7;
+        all[n] = products | (products.is_power_of_two() as u8) << 3;
+        n += 1;
+    }
+    all
+};

@@ -214,7 +214,7 @@ impl<'a> Filter<'a> {
     }
 
     /// The directions that are not certainly zero or equal to an earlier one, as bits.
-    pub(super) fn needed(&mut self, all: &[Direction]) -> u16 {
+    pub(super) fn needed(&self, all: &[Direction]) -> u16 {
         let ruler = &self.ruler;
         self.axes.needed(all, |numbers, axis| {
             let [x, y] = ruler.sides(numbers);

@@ -127,8 +127,8 @@ pub(super) fn least_exact<S: Scalar>(
     bodies: &[Body<'_, S>; 2],
     rough: &[Rough; 2],
 ) -> Option<(Way, Lengths)> {
-    let mut filter = Filter::new::<S>(rough);
-    let wanted = Wanted::new(bodies, &mut filter).ok()?;
+    let filter = Filter::new::<S>(rough);
+    let wanted = Wanted::new(bodies, &filter).ok()?;
     let mut best = (Way::NONE, Lengths::NONE);
     exact(bodies, &filter, &wanted, &mut best).ok()?.then_some(best)
 }
@@ -150,8 +150,8 @@ pub(super) fn least_measures<S: Scalar>(
         return exact_in_words(bodies, false, &mut best).ok()?.then(|| measured(&best));
     }
     let rough = rough();
-    let mut filter = Filter::new::<S>(&rough);
-    let wanted = Wanted::new(bodies, &mut filter).ok()?;
+    let filter = Filter::new::<S>(&rough);
+    let wanted = Wanted::new(bodies, &filter).ok()?;
     from_floats(&filter, &wanted, bodies, false).or_else(|| {
         let mut best = (Way::NONE, Lengths::NONE);
         exact(bodies, &filter, &wanted, &mut best).ok()?.then(|| measured(&best))
@@ -196,8 +196,8 @@ fn least_directed<S: Scalar>(
         let mut best = (Way::NONE, Lengths::NONE);
         return exact_in_words(bodies, false, &mut best).ok()?.then(|| directed(&best));
     };
-    let mut filter = Filter::new::<S>(rough);
-    let wanted = Wanted::new(bodies, &mut filter).ok()?;
+    let filter = Filter::new::<S>(rough);
+    let wanted = Wanted::new(bodies, &filter).ok()?;
     from_floats(&filter, &wanted, bodies, true).or_else(|| {
         let mut best = (Way::NONE, Lengths::NONE);
         exact(bodies, &filter, &wanted, &mut best).ok()?.then(|| directed(&best))

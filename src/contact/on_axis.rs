@@ -144,8 +144,8 @@ mod tests {
         check(first, second);
         let bodies = [first.body(), second.body()];
         let rough: [Rough; 2] = in_floats(&bodies);
-        let mut filter = Filter::new::<S>(&rough);
-        let wanted = Wanted::new(&bodies, &mut filter).ok();
+        let filter = Filter::new::<S>(&rough);
+        let wanted = Wanted::new(&bodies, &filter).ok();
         wanted.as_ref().and_then(Wanted::single).zip(wanted.as_ref()).is_some_and(
             |((n, is_along), wanted)| {
                 let numbers = sides_of_all(filter.ruler.are_triangles)[n];

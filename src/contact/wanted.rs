@@ -29,7 +29,7 @@ impl Wanted {
     #[inline(always)]
     pub(super) fn new<S: Scalar>(
         bodies: &[Body<'_, S>; 2],
-        filter: &mut Filter<'_>,
+        filter: &Filter<'_>,
     ) -> Result<Self, Apart> {
         let all = all(bodies);
         let [against, along] = by_floats(filter.needed(all), &filter.ruler)?;
@@ -40,7 +40,7 @@ impl Wanted {
     #[inline(never)]
     pub(super) fn in_words(all: &'static [Direction], cut: &Cut<'_>) -> Result<Self, Apart> {
         let mut wanted = Self { all, against: 0, along: 0 };
-        let mut axes = cut.axes();
+        let axes = cut.axes();
         // Others that are superfluous are left out where one of them may be the least: that is less work.
         let count = if axes.are_alike() { 3 } else { all.len() };
         let mut measures: [Option<Measured>; 16] = [const { None }; 16];
@@ -137,19 +137,20 @@ fn by_floats(mut needed: u16, ruler: &Ruler<'_, f64>) -> Result<[u16; 2], Apart>
 /// The same in one kind of lanes.
 #[inline(always)]
 fn of_lanes<V: Lanes>(needed: u16, ruler: &Ruler<'_, V::Lane>) -> Result<[u16; 2], Apart> {
-    let (all, mut some) = (sides_of_all(ruler.are_triangles), [[0; 2]; 16]);
+    let (all, mut some, mut places) = (sides_of_all(ruler.are_triangles), [[0; 2]; 16], [0_u8; 16]);
+    let count = needed.count_ones() as usize;
     // The first directions, without a gap.
     let are_first = needed & needed.wrapping_add(1) == 0;
     if !are_first {
         let (mut left, mut last) = (needed, 0);
-        for to in &mut some {
-            last = if left == 0 { last } else { left.trailing_zeros() as usize };
+        // The last one again, for all lanes.
+        for (to, place) in some.iter_mut().zip(&mut places).take(count.next_multiple_of(V::COUNT)) {
+            last = if left == 0 { last } else { left.trailing_zeros() as u8 };
             left &= left.wrapping_sub(1);
-            *to = all[last % 16];
+            (*to, *place) = (all[usize::from(last % 16)], last);
         }
     }
     let sides = if are_first { all } else { &some };
-    let count = needed.count_ones() as usize;
     let infinity = V::same(V::Lane::INFINITY);
     let (mut least, mut bound) = (V::all([infinity; 2]), infinity);
     // As bits of the directions that are needed, in their order.
@@ -176,20 +177,17 @@ fn of_lanes<V: Lanes>(needed: u16, ruler: &Ruler<'_, V::Lane>) -> Result<[u16; 2
             }
             left |= least[side].is_within(V::same(bound)) << (group * V::COUNT);
         }
-        if are_first { left as u16 & needed } else { placed(left, needed) }
+        if are_first { left as u16 & needed } else { placed(left & ((1 << count) - 1), &places) }
     };
     Ok(two(may_be_least))
 }
 
-/// Puts bit n at the place of the n-th bit of `to` that is set.
-fn placed(mut bits: u32, mut to: u16) -> u16 {
+/// Puts bit n at its place.
+fn placed(mut bits: u32, places: &[u8; 16]) -> u16 {
     let mut placed = 0;
-    while to != 0 {
-        let rest = to & (to - 1);
-        if bits & 1 == 1 {
-            placed |= to ^ rest;
-        }
-        (bits, to) = (bits >> 1, rest);
+    while bits != 0 {
+        placed |= 1 << (places[bits.trailing_zeros() as usize % 16] % 16);
+        bits &= bits - 1;
     }
     placed
 }
