@@ -36,12 +36,19 @@ pub trait Float: Number + OfFour + Mul<Output = Self> + From<u16> + Into<f64> + 
     /// Sign, magnitude and exponent.
     fn parts(self) -> Parts;
 
+    /// The exponent, as its bits have it.
+    fn exponent(self) -> i32;
+
+    /// In units of two to a power, which is as the bits of an exponent have it, rounded toward zero. The number
+    /// is below 2^31 units.
+    fn in_units(self, unit: i32) -> i32;
+
     /// m·2^e to the nearest; tiny results and `f32` are rounded twice.
     fn scaled(magnitude: u64, exponent: i32) -> Self;
 }
 
 macro_rules! float {
-    ($float:ident: $digits:literal, $range:expr, $shifter:expr) => {
+    ($float:ident: $bits:literal, $digits:literal, $range:expr, $shifter:expr) => {
         impl Number for $float {
             const ZERO: Self = 0.0;
             /// The least normal number, which exceeds the loss of a few underflows.
@@ -103,6 +110,21 @@ macro_rules! float {
                 }
             }
 
+            #[inline(always)]
+            fn exponent(self) -> i32 {
+                (self.to_bits() << 1 >> ($digits + 1)) as i32
+            }
+
+            #[inline(always)]
+            fn in_units(self, unit: i32) -> i32 {
+                // The leading one and the 30 bits below it.
+                let digits = (self.to_bits().rotate_right($digits + 2) >> ($bits - 32)) as i32;
+                const LACK: u32 = 30_u32.saturating_sub($digits);
+                let size = 1 << 30 | digits & ((1 << 30) - (1 << LACK));
+                let size = size.checked_shr((unit + 30 - self.exponent()) as u32).unwrap_or(0);
+                if self.is_sign_negative() { -size } else { size }
+            }
+
             fn scaled(magnitude: u64, exponent: i32) -> Self {
                 scaled(magnitude, exponent) as Self
             }
@@ -113,11 +135,11 @@ macro_rules! float {
 // An underflow loses at most 2^-150 in each operation. Beyond the roundings, the bounds have 1·u·r²
 // (areas) and 4·u·r³ (volumes) to spare (query::triangle_aabb::error_bound), against about 10 and
 // 12·r + 6 underflows. That suffices from r = 2^-40 on. Above, r³·24 stays below 2^128 up to r = 2^41.
-float!(f32: 23, (f32::from_bits((127 - 32) << 23), f32::from_bits((127 + 40) << 23)), 3 << 22 >> 4);
+float!(f32: 32, 23, (f32::from_bits((127 - 32) << 23), f32::from_bits((127 + 40) << 23)), 3 << 22 >> 4);
 // Likewise 2^-53·r² and 4·2^-53·r³ against 2^-1075, and r³·24 below 2^1024. A nonzero number that was
 // an f32 is always in the range.
 float!(
-    f64: 52,
+    f64: 64, 52,
     (f64::from_bits((1023 - 320) << 52), f64::from_bits((1023 + 320) << 52)),
     3_u64 << 51 >> 14
 );

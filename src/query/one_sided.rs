@@ -28,6 +28,21 @@ pub(super) fn are_disjoint<W: Word>(shapes: &[Projection<W>; 3]) -> bool {
     Projection::are_apart(shapes) || one_sided(shapes)
 }
 
+/// Whether a triangle and a box are disjoint, given the box shrunk by an error on each side; `None` in doubt. A
+/// triangle that meets the shrunk box meets the true one, and one that misses the grown box misses it.
+#[inline(always)]
+pub(super) fn are_disjoint_within<W: Word>(shrunk: &mut [Projection<W>; 3], by: W) -> Option<bool> {
+    // A box thinner than the error has no inside left.
+    if !Projection::is_void(shrunk) && !are_disjoint(shrunk) {
+        return Some(false);
+    }
+    // In place, to save stack.
+    for shape in shrunk.iter_mut() {
+        *shape = shape.grown(by.plus(by));
+    }
+    one_sided(shrunk).then_some(true)
+}
+
 /// How a triangle and a box lie to each other.
 ///
 /// The interiors are disjoint exactly if an axis has a gap of zero or more, unless both shapes
@@ -142,6 +157,13 @@ impl<W: Word> Projection<W> {
     pub(super) fn grown(self, by: W) -> Self {
         let [a, b, c] = self.t;
         Self { t: [a.plus(by), b.plus(by), c.plus(by)], size: self.size.plus(by).plus(by) }
+    }
+
+    /// The same over 2^`down`, each number rounded down.
+    #[inline(always)]
+    pub(super) fn over(self, down: u32) -> Self {
+        let [a, b, c] = self.t;
+        Self { t: [a >> down, b >> down, c >> down], size: self.size >> down }
     }
 
     /// The same with the triangle moved.

@@ -34,15 +34,6 @@ pub(super) fn by_corners<S: Scalar, N: Embeds<S>>(
     any_axis(&in_frame_of_corners::<S, N>(triangle, min, max, grown))
 }
 
-/// The same in less code: the axes stand once for both forms.
-#[inline(never)]
-pub(super) fn by_either_form<S: Scalar, N: Embeds<S>>(
-    triangle: &Triangle<S>,
-    form: &AabbForm<S>,
-) -> Option<bool> {
-    any_axis(&in_frame::<S, N>(triangle, form))
-}
-
 /// The triangle in the frame of the box; `N` holds both.
 #[inline(always)]
 pub(super) fn in_frame<S: Scalar, N: Embeds<S>>(

@@ -18,6 +18,7 @@ mod pair;
 mod prepared;
 mod relation;
 pub(super) mod rows;
+mod short;
 pub(super) mod words;
 
 pub(crate) use error_bound::bound_of_size;
@@ -27,8 +28,8 @@ pub(super) use relation::touches_face;
 
 use super::{Axis, Overlaps};
 use crate::arithmetic::{
-    Embeds, Filtered, Float, InFloat, InWord, Int64OfFloats, OfFour, OneType, Quad,
-    REGISTERS_ARE_WIDE, Rounded, Word, is_software,
+    Embeds, Float, InFloat, InWord, Int64OfFloats, OfFour, OneType, Quad, REGISTERS_ARE_WIDE,
+    Rounded, Word, is_software,
 };
 use crate::robust::{Predicate, Profile, WordKernel, in_exact_numbers, in_floats};
 use crate::scalar::{FixedBackend, Scalar};
@@ -41,6 +42,21 @@ struct Disjoint<'a, S> {
 }
 
 impl<S: Scalar> Disjoint<'_, S> {
+    /// The answer.
+    #[inline(always)]
+    fn answer(&self) -> bool {
+        self.in_short_words().unwrap_or_else(|| S::evaluate(self))
+    }
+
+    /// The answer from cut coordinates, if they are certain of it, for floats that functions compute.
+    #[inline(always)]
+    fn in_short_words(&self) -> Option<bool> {
+        if S::FLOAT.is_none() || !is_software::<S>() {
+            return None;
+        }
+        short::disjoint(self.triangle, self.aabb)
+    }
+
     /// Whether `N` holds the shapes.
     #[inline(always)]
     fn is_held<N: Embeds<S>>(&self) -> bool {
@@ -157,7 +173,7 @@ impl<S: Scalar> Overlaps<Aabb<S>> for Triangle<S> {
     #[inline]
     fn overlaps(&self, aabb: &Aabb<S>) -> bool {
         if !S::IN_QUADS {
-            return !S::evaluate(&Disjoint { triangle: self, aabb });
+            return !Disjoint { triangle: self, aabb }.answer();
         }
         // A fresh box stays in registers, and later stages get a copy of it through memory. A
         // vector load of a box that was stored in parts waits for the stores, as long as the test
@@ -221,17 +237,17 @@ impl<S: Scalar + InWord<i32>> Overlaps<Near<Aabb<S>>> for Near<Triangle<S>> {
 impl Overlaps<Near<Aabb<f32>>> for Near<Triangle<f32>> {
     /// Do a triangle and an axis-aligned box near the origin have a point in common?
     ///
-    /// *Numerics*: exact, in `f32` with an error bound, and where that is in doubt in integers of 60
-    /// bits, which hold every coordinate. *Panics*: never.
+    /// *Numerics*: exact, in `f32` with an error bound, or in words of cut coordinates where functions compute `f32`;
+    /// and where that is in doubt in integers of 60 bits, which hold every coordinate. *Panics*: never.
     #[inline]
     fn overlaps(&self, aabb: &Near<Aabb<f32>>) -> bool {
         let disjoint = Disjoint { triangle: self.get(), aabb: aabb.get() };
-        let disjoint_in_floats = if is_software::<f32>() {
-            kernel::by_either_form::<f32, Filtered<f32>>(self.get(), aabb.get().form())
+        let first = if is_software::<f32>() {
+            disjoint.in_short_words()
         } else {
             in_floats::<f32, f32, _>(&disjoint)
         };
-        !disjoint_in_floats.unwrap_or_else(|| in_doubt(&disjoint))
+        !first.unwrap_or_else(|| in_doubt(&disjoint))
     }
 }
 

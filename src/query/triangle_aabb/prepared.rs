@@ -130,5 +130,5 @@ impl<S: Scalar> PreparedTriangle<S> {
 #[inline(never)]
 fn ask_the_triangle<S: Scalar>(triangle: &Triangle<S>, aabb: Aabb<S>) -> bool {
     note(Stage::Look);
-    !S::evaluate(&Disjoint { triangle, aabb: &aabb })
+    !Disjoint { triangle, aabb: &aabb }.answer()
 }

@@ -49,7 +49,7 @@ use super::Disjoint;
 use super::known::{AXIS, Known, Sum, cut_axes, product, raw};
 use crate::arithmetic::{InRaw, ProductSum, Raw, Word, greatest};
 use crate::query::obb_short::size;
-use crate::query::one_sided::{Projection, one_sided};
+use crate::query::one_sided::{Projection, are_disjoint_within, one_sided};
 use crate::scalar::Scalar;
 use crate::shape::Obb;
 
@@ -223,16 +223,7 @@ impl Framed {
     /// Whether the shapes are disjoint, by the shrunk box; `None` in doubt.
     #[inline(always)]
     fn are_disjoint(&mut self) -> Option<bool> {
-        let shrunk = &self.shapes;
-        // A box thinner than the error has no inside left.
-        if !Projection::is_void(shrunk) && !Projection::are_apart(shrunk) && !one_sided(shrunk) {
-            return Some(false);
-        }
-        // In place, to save stack.
-        for shape in &mut self.shapes {
-            *shape = shape.grown(2 * self.by);
-        }
-        one_sided(&self.shapes).then_some(true)
+        are_disjoint_within(&mut self.shapes, self.by)
     }
 
     /// Whether the shapes are disjoint for certain, by the grown box.

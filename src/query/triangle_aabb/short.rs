@@ -1,0 +1,133 @@
+//! The first stage of floats on cores that compute them by functions: coordinates cut to a few bits, in words.
+//!
+//! A triangle whose vertices and a box whose faces were moved by less than g in all still miss each other if the
+//! moved triangle misses the moved box grown by g, and meet if it meets the moved box shrunk by g. Both are exact
+//! questions in words (`one_sided`), which take a tenth of the instructions of the kernel in floats. Shapes between
+//! the two go to that kernel. It stays the answer of `may_overlap`, which is the same on every machine.
+//!
+//! # The error
+//!
+//! The greatest coordinate is below 2^29 units, and each is rounded toward zero. A corner of a box that is given by
+//! its centre is a sum of two such numbers. Relative to the least corner, a vertex is off by less than three units,
+//! and the greatest corner by less than two: together less than [`ERROR`], as `short.g` proves. Then all numbers are rounded down to
+//! multiples of 2^`down`, which moves a vertex and the greatest corner by less than one of these each. On a grid
+//! nothing is lost, and the answer is exact.
+
+use crate::arithmetic::{Float, Word, greatest, multiple, three};
+use crate::query::one_sided::{Projection, are_disjoint, are_disjoint_within};
+use crate::scalar::Scalar;
+use crate::shape::{Aabb, Triangle};
+
+/// The bits of a coordinate.
+const BITS: i32 = 29;
+
+/// Units.
+const ERROR: i32 = 5;
+
+/// Whether the shapes are disjoint; `None` in doubt.
+#[inline(never)]
+pub(super) fn disjoint<S: Scalar>(triangle: &Triangle<S>, aabb: &Aabb<S>) -> Option<bool> {
+    let ([a, b, c], (p, q, by_center)) = (triangle.points(), aabb.numbers());
+    let all = [a, b, c, p, q];
+    let exponents = all.as_flattened().iter().map(|x| x.first().exponent());
+    let unit = exponents.fold(0, greatest) + 1 - BITS;
+    // All are tiny.
+    if unit <= 0 {
+        return None;
+    }
+    let mut words = [[0; 3]; 5];
+    for (to, x) in words.as_flattened_mut().iter_mut().zip(all.as_flattened()) {
+        *to = x.first().in_units(unit);
+    }
+    let [a, b, c, p, q] = words;
+    let mut shapes = three(|i| {
+        let (min, size) = if by_center { (p[i] - q[i], q[i] + q[i]) } else { (p[i], q[i] - p[i]) };
+        Projection::new(min, size, [a[i], b[i], c[i]])
+    });
+    // One bit less than the range, for what the box grows by.
+    let down = Projection::longest(&shapes).bits() + 1 - <i32 as Word>::RANGE as i32;
+    let down = greatest(down, 0);
+    let by = (ERROR >> down) + 2;
+    for shape in &mut shapes {
+        *shape = shape.over(down as u32).grown(by);
+    }
+    if Projection::are_apart(&shapes) {
+        return Some(true);
+    }
+    change(&mut shapes, -2 * by);
+    are_disjoint_within(&mut shapes, by).or_else(|| {
+        let unit = unit + down - S::SeptumFirst::from(1).exponent();
+        let is_whole = |x: &S| multiple(x.first().into(), unit).is_some();
+        // The shapes are the grown ones.
+        change(&mut shapes, -by);
+        all.as_flattened().iter().all(is_whole).then(|| are_disjoint(&shapes))
+    })
+}
+
+/// Grows the box.
+#[inline(never)]
+fn change(shapes: &mut [Projection<i32>; 3], by: i32) {
+    for shape in shapes {
+        *shape = shape.grown(by);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::disjoint;
+    use crate::arithmetic::{Each, three};
+    use crate::random::Random;
+    use crate::scalar::Scalar;
+    use crate::shape::{Aabb, Triangle};
+
+    /// How many answers there are, of as many questions, and each of them is right. Coordinates take `bits` bits, and
+    /// half of all triangles nearly touch the box.
+    fn answers<S: Scalar>(of: impl Fn(f64) -> S, bits: u32, questions: u32) -> u32 {
+        let mut random = Random(0x5047 + u64::from(bits));
+        let mut answers = 0;
+        for n in 0..questions {
+            let mut number = |bits: u32| {
+                let whole = (random.bits() as i64) >> (64 - bits);
+                whole as f64 * 2_f64.powi(1 - bits as i32)
+            };
+            let (far, tiny) = ([0.0, 100.0][n as usize % 2], 2_f64.powi(-(n as i32 / 4 % 30)));
+            let [center, half] = [three(|_| far + number(bits)), three(|_| number(bits).abs())];
+            let mut at = [(); 3].each(|()| three(|_| far + 2.0 * number(bits)));
+            if n / 2 % 2 == 0 {
+                // Across a corner of the box, or a little beyond.
+                let [u, v] = [(); 2].each(|()| three(|_| number(bits)));
+                let corner = three(|i| center[i] + half[i] + tiny * number(bits));
+                let [s, t] = [number(bits).abs(), number(bits).abs()];
+                at = [
+                    three(|i| corner[i] + u[i]),
+                    three(|i| corner[i] - s * u[i] + t * v[i]),
+                    three(|i| corner[i] - v[i]),
+                ];
+            }
+            let point = |p: [f64; 3]| p.each(&of);
+            let [a, b, c] = at.each(point);
+            let triangle = Triangle::new(a, b, c).unwrap();
+            let (min, max) = (three(|i| center[i] - half[i]), three(|i| center[i] + half[i]));
+            for aabb in [
+                Aabb::from_center_half_extents(point(center), point(half)),
+                Aabb::from_min_max(point(min), point(max)),
+            ] {
+                let aabb = aabb.unwrap();
+                if let Some(found) = disjoint(&triangle, &aabb) {
+                    assert_eq!(found, !triangle.overlaps(&aabb), "{triangle:?} {aabb:?}");
+                    answers += 1;
+                }
+            }
+        }
+        answers
+    }
+
+    #[test]
+    fn an_answer_is_right_and_mostly_there_is_one() {
+        for bits in [4, 12, 24, 30, 60] {
+            let single = answers(|x| x as f32, bits, 20_000);
+            let double = answers(|x| x, bits, 20_000);
+            assert!(single > 36_000 && double > 35_000, "{bits} {single} {double}");
+        }
+    }
+}
