@@ -2,7 +2,7 @@
 
 use core::ops::Mul;
 
-use super::number::Number;
+use super::number::{Number, greatest};
 use super::parts::{Bits, Parts, scaled};
 use super::platform::REGISTERS_ARE_WIDE;
 use super::portion::enclosing;
@@ -159,6 +159,24 @@ pub(crate) fn quotient<F: Float, const L: usize>(
     let (magnitude, exponent) = soft(num).quotient(soft(den));
     let x = F::scaled(magnitude, exponent);
     if is_negative != is_other_negative { -x } else { x }
+}
+
+/// The bits of the greatest number that is [`cut_to_words`].
+const WORD: i32 = 29;
+
+/// Numbers in units of two to a power, rounded toward zero, and that power, as the bits of an exponent have it. The
+/// greatest takes 29 bits. `None` if all are tiny.
+#[inline(always)]
+pub(crate) fn cut_to_words<S: FirstFloat, const K: usize>(
+    all: &[[S; 3]; K],
+) -> Option<([[i32; 3]; K], i32)> {
+    let exponents = all.as_flattened().iter().map(|x| x.first().exponent());
+    let unit = exponents.fold(0, greatest) + 1 - WORD;
+    let mut words = [[0; 3]; K];
+    for (to, x) in words.as_flattened_mut().iter_mut().zip(all.as_flattened()) {
+        *to = x.first().in_units(unit);
+    }
+    (unit > 0).then_some((words, unit))
 }
 
 /// A scalar whose coordinates are numbers of the float `F`, up to a limit, or multiples of

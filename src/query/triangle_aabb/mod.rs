@@ -31,7 +31,7 @@ use crate::arithmetic::{
     Embeds, Float, InFloat, InWord, Int64OfFloats, OfFour, OneType, Quad, REGISTERS_ARE_WIDE,
     Rounded, Word, is_software,
 };
-use crate::robust::{Predicate, Profile, WordKernel, in_exact_numbers, in_floats};
+use crate::robust::{Predicate, Profile, WordKernel, in_exact_numbers, in_floats, noted};
 use crate::scalar::{FixedBackend, Scalar};
 use crate::shape::{Aabb, AabbForm, Near, Triangle, Vec3};
 
@@ -54,7 +54,7 @@ impl<S: Scalar> Disjoint<'_, S> {
         if S::FLOAT.is_none() || !is_software::<S>() {
             return None;
         }
-        short::disjoint(self.triangle, self.aabb)
+        noted(short::disjoint(self.triangle, self.aabb))
     }
 
     /// Whether `N` holds the shapes.

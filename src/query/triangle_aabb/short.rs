@@ -13,13 +13,10 @@
 //! multiples of 2^`down`, which moves a vertex and the greatest corner by less than one of these each. On a grid
 //! nothing is lost, and the answer is exact.
 
-use crate::arithmetic::{Float, Word, greatest, multiple, three};
+use crate::arithmetic::{Float, Word, cut_to_words, greatest, multiple, three};
 use crate::query::one_sided::{Projection, are_disjoint, are_disjoint_within};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, Triangle};
-
-/// The bits of a coordinate.
-const BITS: i32 = 29;
 
 /// Units.
 const ERROR: i32 = 5;
@@ -29,16 +26,7 @@ const ERROR: i32 = 5;
 pub(super) fn disjoint<S: Scalar>(triangle: &Triangle<S>, aabb: &Aabb<S>) -> Option<bool> {
     let ([a, b, c], (p, q, by_center)) = (triangle.points(), aabb.numbers());
     let all = [a, b, c, p, q];
-    let exponents = all.as_flattened().iter().map(|x| x.first().exponent());
-    let unit = exponents.fold(0, greatest) + 1 - BITS;
-    // All are tiny.
-    if unit <= 0 {
-        return None;
-    }
-    let mut words = [[0; 3]; 5];
-    for (to, x) in words.as_flattened_mut().iter_mut().zip(all.as_flattened()) {
-        *to = x.first().in_units(unit);
-    }
+    let (words, unit) = cut_to_words(&all)?;
     let [a, b, c, p, q] = words;
     let mut shapes = three(|i| {
         let (min, size) = if by_center { (p[i] - q[i], q[i] + q[i]) } else { (p[i], q[i] - p[i]) };

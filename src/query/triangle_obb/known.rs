@@ -8,6 +8,34 @@ use crate::shape::{Obb, Vec3};
 /// The bits of an axis, without its sign.
 pub(super) const AXIS: i32 = 19;
 
+/// The numbers of a box as whole ones.
+pub(in crate::query) trait WholeBox {
+    type Raw: Raw;
+
+    fn axes(&self) -> [[Self::Raw; 3]; 3];
+    fn half(&self) -> [Self::Raw; 3];
+    /// A one of the axes is two to this power.
+    fn fraction_bits(&self) -> i32;
+}
+
+impl<S: Scalar + InRaw> WholeBox for Obb<S> {
+    type Raw = S::Raw;
+
+    #[inline(always)]
+    fn axes(&self) -> [[S::Raw; 3]; 3] {
+        let [u, v, w] = self.axes();
+        [raw(u), raw(v), raw(w)]
+    }
+    #[inline(always)]
+    fn half(&self) -> [S::Raw; 3] {
+        raw(&self.half_extents())
+    }
+    #[inline(always)]
+    fn fraction_bits(&self) -> i32 {
+        S::FRACTION_BITS
+    }
+}
+
 /// The numbers that are known before the test. It is a constant of its caller, so the compiler keeps
 /// one case, and the code that computes known numbers falls away.
 #[derive(Clone, Copy)]
@@ -37,15 +65,15 @@ pub(in crate::query) struct Crossed {
 
 impl Size {
     #[inline(always)]
-    pub(in crate::query) fn of<S: Scalar + InRaw>(obb: &Obb<S>) -> Self {
+    pub(in crate::query) fn of(obb: &impl WholeBox) -> Self {
         let longest = Known::Nothing.longest(obb);
-        Self { longest, reach: Known::Nothing.reach(obb, longest - S::FRACTION_BITS) }
+        Self { longest, reach: Known::Nothing.reach(obb, longest - obb.fraction_bits()) }
     }
 }
 
 impl Crossed {
     #[inline(always)]
-    pub(super) fn of<S: Scalar + InRaw>(obb: &Obb<S>) -> Self {
+    pub(super) fn of(obb: &impl WholeBox) -> Self {
         let size = Size::of(obb);
         let u = cut_axes(obb, size.longest);
         let normals = three(|i| Known::Nothing.normal(&u, i));
@@ -56,19 +84,18 @@ impl Crossed {
 impl Known<'_> {
     /// The bits of the greatest component of the axes.
     #[inline(always)]
-    pub(super) fn longest<S: Scalar + InRaw>(self, obb: &Obb<S>) -> i32 {
-        let [u, v, w] = obb.axes();
+    pub(super) fn longest(self, obb: &impl WholeBox) -> i32 {
         match self {
-            Known::Nothing => size(&[raw(u), raw(v), raw(w)]).bits(),
+            Known::Nothing => size(&obb.axes()).bits(),
             Known::Size(size) | Known::All(&Crossed { size, .. }) => size.longest,
         }
     }
 
     /// The bits of the greatest half-extent and `longer`.
     #[inline(always)]
-    pub(super) fn reach<S: Scalar + InRaw>(self, obb: &Obb<S>, longer: i32) -> i32 {
+    pub(super) fn reach(self, obb: &impl WholeBox, longer: i32) -> i32 {
         match self {
-            Known::Nothing => size(&[raw(&obb.half_extents())]).bits() + longer,
+            Known::Nothing => size(&[obb.half()]).bits() + longer,
             Known::Size(size) | Known::All(&Crossed { size, .. }) => size.reach,
         }
     }
@@ -95,9 +122,8 @@ impl Known<'_> {
 
 /// The axes, cut to few bits.
 #[inline(always)]
-pub(super) fn cut_axes<S: Scalar + InRaw>(obb: &Obb<S>, longest: i32) -> [[i32; 3]; 3] {
-    let [u, v, w] = obb.axes();
-    Raw::cut([raw(u), raw(v), raw(w)], longest - AXIS)
+pub(super) fn cut_axes(obb: &impl WholeBox, longest: i32) -> [[i32; 3]; 3] {
+    Raw::cut(obb.axes(), longest - AXIS)
 }
 
 // Products of short words, and the size of vectors.

@@ -11,6 +11,7 @@
 mod cut;
 mod error_bound;
 pub(super) mod exact;
+mod floats;
 mod kernel;
 mod known;
 mod prepared;
@@ -244,7 +245,8 @@ impl<S: Scalar> Overlaps<Obb<S>> for Triangle<S> {
     /// Akenine-Möller 2001, with an error bound that is ours.
     #[inline]
     fn overlaps(&self, obb: &Obb<S>) -> bool {
-        !S::evaluate(&Disjoint { triangle: self, obb })
+        let question = Disjoint { triangle: self, obb };
+        !question.in_cut_floats().unwrap_or_else(|| S::evaluate(&question))
     }
 
     /// May a triangle and an oriented box have a point in common?

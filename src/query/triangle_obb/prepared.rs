@@ -40,7 +40,8 @@ impl<S: Scalar> PreparedObb<S> {
     /// Whether the box overlaps the triangle.
     #[inline(always)]
     pub(crate) fn overlaps(&self, triangle: &Triangle<S>) -> bool {
-        !S::evaluate(&Prepared(Disjoint { triangle, obb: &self.obb }, &self.crossed))
+        let question = Disjoint { triangle, obb: &self.obb };
+        !question.in_cut_floats().unwrap_or_else(|| S::evaluate(&Prepared(question, &self.crossed)))
     }
 }
 

@@ -53,6 +53,11 @@ impl<S: Scalar> WordKernel<S> for Lie<'_, S> {
 
 impl<S: Scalar> Relate<Obb<S>> for Triangle<S> {
     fn relation(&self, obb: &Obb<S>) -> Relation {
-        S::evaluate(&Lie(Disjoint { triangle: self, obb }))
+        let shapes = Disjoint { triangle: self, obb };
+        match shapes.in_cut_floats() {
+            Some(true) => Relation::Disjoint,
+            Some(false) => Relation::Overlapping,
+            None => S::evaluate(&Lie(shapes)),
+        }
     }
 }
