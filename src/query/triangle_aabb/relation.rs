@@ -130,11 +130,9 @@ impl<S: Scalar> Relate<Aabb<S>> for Triangle<S> {
         }
         // Words find all three relations together.
         let is_in_words = !REGISTERS_ARE_WIDE && S::FLOAT.is_none();
-        if is_in_words || self.overlaps(aabb) {
-            S::evaluate(&Lie(shapes))
-        } else {
-            Relation::Disjoint
-        }
+        let overlap =
+            || if REGISTERS_ARE_WIDE { self.overlaps(aabb) } else { !S::evaluate(&shapes) };
+        if is_in_words || overlap() { S::evaluate(&Lie(shapes)) } else { Relation::Disjoint }
     }
 }
 
