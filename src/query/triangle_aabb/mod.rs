@@ -6,7 +6,7 @@
 //!
 //! Three kernels evaluate these axes. `rows` uses floats, four at once, with coordinates as given
 //! or as `offsets` from the box. `kernel`, with `frame`, runs in any number system. `words` uses the
-//! words of 32-bit cores.
+//! words of 32-bit cores, and `short` cuts floats to them.
 
 mod conservative;
 pub(super) mod error_bound;
@@ -156,7 +156,8 @@ impl<S: Scalar> Overlaps<Aabb<S>> for Triangle<S> {
     /// of contact are evaluated again in wider numbers, except along a face or on a grid. For many
     /// boxes see [`PreparedTriangle`]. Fixed point on 32-bit
     /// cores has its own kernel with 30 multiplications, for shapes within 2¹⁸ units of the box
-    /// (2²⁹ if the core multiplies words in full). In the repository, `docs/target.csv` lists its
+    /// (2²⁹ if the core multiplies words in full). Floats that functions compute are first cut to words, which
+    /// take a tenth of the instructions. In the repository, `docs/target.csv` lists its
     /// instructions and stack, and `docs/flash.csv` its size.
     ///
     /// *Source*: Akenine-Möller 2001; the shared normal, the rows, the offsets, the error bounds
@@ -198,9 +199,10 @@ impl<S: Scalar> Overlaps<Aabb<S>> for Triangle<S> {
     ///
     /// *Panics*: never.
     ///
-    /// *Cost*: bounded. In floats it is the first stage of [`overlaps`](Overlaps::overlaps), and in
-    /// fixed point of up to 32 bits [`overlaps`](Overlaps::overlaps) itself. Choose it if a bounded
-    /// time matters more than the last touch, or before a finer test.
+    /// *Cost*: bounded. In floats it is the first stage of [`overlaps`](Overlaps::overlaps) on hosts, and takes
+    /// longer than that where functions compute them; in fixed point of up to 32 bits it is
+    /// [`overlaps`](Overlaps::overlaps) itself. Choose it if a bounded time matters more than the last touch,
+    /// or before a finer test.
     #[inline]
     fn may_overlap(&self, aabb: &Aabb<S>) -> bool {
         S::evaluate_bounded(&Disjoint { triangle: self, aabb }) != Some(true)

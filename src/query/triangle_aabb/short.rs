@@ -9,9 +9,9 @@
 //!
 //! The greatest coordinate is below 2^29 units, and each is rounded toward zero. A corner of a box that is given by
 //! its centre is a sum of two such numbers. Relative to the least corner, a vertex is off by less than three units,
-//! and the greatest corner by less than two: together less than [`ERROR`], as `short.g` proves. Then all numbers are rounded down to
-//! multiples of 2^`down`, which moves a vertex and the greatest corner by less than one of these each. On a grid
-//! nothing is lost, and the answer is exact.
+//! and the greatest corner by less than two: together less than [`ERROR`], as `short.g` proves. Then all
+//! numbers are rounded down to multiples of 2^`down`, which moves a vertex and the greatest corner by less than
+//! one of these each. On a grid nothing is lost, and the answer is exact.
 
 use crate::arithmetic::{Float, Word, cut_to_words, greatest, multiple, three};
 use crate::query::one_sided::{Projection, are_disjoint, are_disjoint_within};

@@ -1,9 +1,9 @@
 //! The first stage of floats on cores that compute them by functions: their numbers cut to words of 29 bits, and then
 //! the stage of fixed point, which is `short`.
 //!
-//! Lengths have one power of two for a unit and axes another, each number rounded toward zero. A vertex relative to the
-//! centre is off by less than two units, which is 2^-12 once 13 bits are cut. A component of an axis is off by less than
-//! one, of 2^29, and 10 bits are cut: 2^-10.
+//! Lengths have one power of two for a unit and axes another, each number rounded toward zero. A vertex
+//! relative to the centre is off by less than two units, which is 2^-12 once 13 bits are cut. A component of an
+//! axis is off by less than one, of 2^29, and 10 bits are cut: 2^-10.
 
 use super::Disjoint;
 use super::known::{Known, WholeBox};

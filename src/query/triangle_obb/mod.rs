@@ -4,9 +4,10 @@
 //! 2001, transforms the triangle by the inverse of the box's transform and tests it against an
 //! axis-aligned box. That is [`overlaps_obb`](crate::published::akenine_moller::overlaps_obb) in
 //! `published`. Its rounding moves the triangle, so the exact verdict uses the 13 axes of the two
-//! shapes as given (`kernel`). Fixed point first transforms the triangle in short words, with a
-//! bound on the error (`short`); for many triangles, the products of the axes are computed once
-//! (`prepared`). On 32-bit cores words of 64 bits follow a look at numbers cut to 18 bits (`cut`).
+//! shapes as given (`kernel`). Fixed point, and floats that functions compute (`floats`), first transform the
+//! triangle in short words, with a bound on the error (`short`); for many triangles, the products of the axes
+//! are computed once (`prepared`). On 32-bit cores words of 64 bits follow a look at numbers cut to 18 bits
+//! (`cut`).
 
 mod cut;
 mod error_bound;
@@ -237,8 +238,8 @@ impl<S: Scalar> Overlaps<Obb<S>> for Triangle<S> {
     ///
     /// *Panics*: never.
     ///
-    /// *Cost*: in floats about 190 multiplications. In fixed point of every width 51 of 32 bits and
-    /// a test against an axis-aligned box; fewer if a face separates.
+    /// *Cost*: in floats about 190 multiplications. In fixed point of every width, and in floats that functions
+    /// compute, 51 of 32 bits and a test against an axis-aligned box; fewer if a face separates.
     ///
     /// *Source*: separating axes after Gottschalk, Lin and Manocha 1996 and Akenine-Möller 2001,
     /// for axes that need not be orthonormal. The first stage of fixed point is the transform of
@@ -258,7 +259,8 @@ impl<S: Scalar> Overlaps<Obb<S>> for Triangle<S> {
     ///
     /// *Panics*: never.
     ///
-    /// *Cost*: bounded. It is the first stage of [`overlaps`](Overlaps::overlaps).
+    /// *Cost*: bounded. It is the first stage of [`overlaps`](Overlaps::overlaps), but for floats that
+    /// functions compute.
     ///
     #[inline]
     fn may_overlap(&self, obb: &Obb<S>) -> bool {

@@ -26,7 +26,8 @@
 //! | vertex = w_i·d/2^10, rounded down | 3·2^28 | 1 + 768 | 1 + 2307 | and 1537 |
 //! | extent = h_i·volume/2^10, rounded down | 2^29 | 1 + 1024 | 1 + 3334 | and 1025 |
 //!
-//! * w_i: two products of components up to 2^19, each off by 1/2 and 2^-10; each product errs by little more than 2^19.
+//! * w_i: two products of components up to 2^19, each off by 1/2 and 2^-10; each product errs by little more
+//!   than 2^19.
 //! * volume: three products of w_i, off by 1 or 3, with a component of u_0, up to 2^19; and of w_i,
 //!   up to 2^20, with u_0, off by 1/2 and 2^-10. No determinant of numbers up to 1 exceeds 4.
 //! * vertex: three products of w_i, off by 1 or 3, with a length, up to 2^18; and of w_i, up to
