@@ -67,7 +67,6 @@ impl<S: Scalar> Disjoint<'_, S> {
 mod tests {
     use super::Disjoint;
     use crate::arithmetic::{Each, three};
-    use crate::query::Overlaps;
     use crate::random::Random;
     use crate::scalar::Scalar;
     use crate::shape::{Obb, Triangle};
