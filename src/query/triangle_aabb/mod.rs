@@ -29,7 +29,7 @@ pub(super) use relation::touches_face;
 use super::{Axis, Overlaps};
 use crate::arithmetic::{
     Embeds, Float, InFloat, InWord, Int64OfFloats, OfFour, OneType, Quad, REGISTERS_ARE_WIDE,
-    Rounded, Word, is_software,
+    Rounded, SMALL_CODE, Word, is_software,
 };
 use crate::robust::{Predicate, Profile, WordKernel, in_exact_numbers, in_floats, noted};
 use crate::scalar::{FixedBackend, Scalar};
@@ -48,10 +48,11 @@ impl<S: Scalar> Disjoint<'_, S> {
         self.in_short_words().unwrap_or_else(|| S::evaluate(self))
     }
 
-    /// The answer from cut coordinates, if they are certain of it, for floats that functions compute.
+    /// The answer from cut coordinates, if they are certain of it, for floats that functions compute. Small code
+    /// does without.
     #[inline(always)]
     fn in_short_words(&self) -> Option<bool> {
-        if S::FLOAT.is_none() || !is_software::<S>() {
+        if S::FLOAT.is_none() || !is_software::<S>() || SMALL_CODE {
             return None;
         }
         noted(short::disjoint(self.triangle, self.aabb))
@@ -245,7 +246,7 @@ impl Overlaps<Near<Aabb<f32>>> for Near<Triangle<f32>> {
     fn overlaps(&self, aabb: &Near<Aabb<f32>>) -> bool {
         let disjoint = Disjoint { triangle: self.get(), aabb: aabb.get() };
         let first = if is_software::<f32>() {
-            disjoint.in_short_words()
+            short::disjoint(self.get(), aabb.get())
         } else {
             in_floats::<f32, f32, _>(&disjoint)
         };

@@ -8,7 +8,7 @@
 use super::Disjoint;
 use super::known::{Known, WholeBox};
 use super::short::are_disjoint;
-use crate::arithmetic::{Float, cut_to_words, greatest, is_software, three};
+use crate::arithmetic::{Float, SMALL_CODE, cut_to_words, greatest, is_software, three};
 use crate::robust::noted;
 use crate::scalar::Scalar;
 
@@ -40,10 +40,11 @@ impl WholeBox for InWords {
 }
 
 impl<S: Scalar> Disjoint<'_, S> {
-    /// The answer from cut numbers, if they are certain of it, for floats that functions compute.
+    /// The answer from cut numbers, if they are certain of it, for floats that functions compute. Small code does
+    /// without.
     #[inline(always)]
     pub(super) fn in_cut_floats(&self) -> Option<bool> {
-        if S::FLOAT.is_none() || !is_software::<S>() {
+        if S::FLOAT.is_none() || !is_software::<S>() || SMALL_CODE {
             return None;
         }
         noted(self.of_cut_floats())
