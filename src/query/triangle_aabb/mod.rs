@@ -26,6 +26,7 @@ pub(crate) use frame::range;
 pub use prepared::PreparedTriangle;
 pub(super) use relation::touches_face;
 
+use super::relation::Relation;
 use super::{Axis, Overlaps};
 use crate::arithmetic::{
     Embeds, Float, InFloat, InWord, Int64OfFloats, OfFour, OneType, Quad, REGISTERS_ARE_WIDE,
@@ -48,15 +49,20 @@ impl<S: Scalar> Disjoint<'_, S> {
         self.in_short_words().unwrap_or_else(|| S::evaluate(self))
     }
 
-    /// The answer from cut coordinates, if they are certain of it, for floats that functions compute. Small code
-    /// does without.
+    /// The answer from cut coordinates, if they are certain of it.
     #[inline(always)]
     fn in_short_words(&self) -> Option<bool> {
-        if S::FLOAT.is_none() || !is_software::<S>() || SMALL_CODE {
-            return None;
-        }
-        noted(short::disjoint(self.triangle, self.aabb))
+        if Self::ARE_CUT { noted(short::disjoint(self.triangle, self.aabb)) } else { None }
     }
+
+    /// How the shapes lie to each other, likewise.
+    #[inline(always)]
+    fn relation_in_short_words(&self) -> Option<Relation> {
+        if Self::ARE_CUT { noted(short::relation(self.triangle, self.aabb)) } else { None }
+    }
+
+    /// Whether coordinates are cut to words first: floats that functions compute, but not in small code.
+    const ARE_CUT: bool = S::FLOAT.is_some() && is_software::<S>() && !SMALL_CODE;
 
     /// Whether `N` holds the shapes.
     #[inline(always)]

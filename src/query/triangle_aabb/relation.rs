@@ -122,11 +122,8 @@ fn all_axes<N: Arithmetic>(frame: &Frame<N>) -> Option<Relation> {
 impl<S: Scalar> Relate<Aabb<S>> for Triangle<S> {
     fn relation(&self, aabb: &Aabb<S>) -> Relation {
         let shapes = Disjoint { triangle: self, aabb };
-        // A triangle that meets the shrunk box meets the inside of the true one.
-        match shapes.in_short_words() {
-            Some(true) => return Relation::Disjoint,
-            Some(false) => return Relation::Overlapping,
-            None => {}
+        if let Some(relation) = shapes.relation_in_short_words() {
+            return relation;
         }
         // Words find all three relations together.
         let is_in_words = !REGISTERS_ARE_WIDE && S::FLOAT.is_none();

@@ -14,7 +14,8 @@
 //! one of these each. On a grid nothing is lost, and the answer is exact.
 
 use crate::arithmetic::{Float, Word, cut_to_words, greatest, multiple, three};
-use crate::query::one_sided::{Projection, are_disjoint, are_disjoint_within};
+use crate::query::one_sided::{self, Projection, are_disjoint, are_disjoint_within};
+use crate::query::relation::Relation;
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, Triangle};
 
@@ -24,6 +25,26 @@ const ERROR: i32 = 5;
 /// Whether the shapes are disjoint; `None` in doubt.
 #[inline(never)]
 pub(super) fn disjoint<S: Scalar>(triangle: &Triangle<S>, aabb: &Aabb<S>) -> Option<bool> {
+    answer(triangle, aabb, |disjoint| disjoint, are_disjoint)
+}
+
+/// How the shapes lie to each other; `None` in doubt. A triangle that meets the shrunk box meets the inside of the
+/// true one.
+#[inline(never)]
+pub(super) fn relation<S: Scalar>(triangle: &Triangle<S>, aabb: &Aabb<S>) -> Option<Relation> {
+    let of = |disjoint| if disjoint { Relation::Disjoint } else { Relation::Overlapping };
+    answer(triangle, aabb, of, one_sided::relation)
+}
+
+/// What `of` makes of the answer to whether the shapes are disjoint by far, or `of_whole` of shapes of which nothing
+/// is lost.
+#[inline(always)]
+fn answer<S: Scalar, T>(
+    triangle: &Triangle<S>,
+    aabb: &Aabb<S>,
+    of: impl Fn(bool) -> T,
+    of_whole: impl FnOnce(&[Projection<i32>; 3]) -> T,
+) -> Option<T> {
     let ([a, b, c], (p, q, by_center)) = (triangle.points(), aabb.numbers());
     let all = [a, b, c, p, q];
     let (words, unit) = cut_to_words(&all)?;
@@ -40,15 +61,16 @@ pub(super) fn disjoint<S: Scalar>(triangle: &Triangle<S>, aabb: &Aabb<S>) -> Opt
         *shape = shape.over(down as u32).grown(by);
     }
     if Projection::are_apart(&shapes) {
-        return Some(true);
+        return Some(of(true));
     }
     change(&mut shapes, -2 * by);
-    are_disjoint_within(&mut shapes, by).or_else(|| {
+    let found = are_disjoint_within(&mut shapes, by).map(of);
+    found.or_else(|| {
         let unit = unit + down - S::SeptumFirst::from(1).exponent();
         let is_whole = |x: &S| multiple(x.first().into(), unit).is_some();
         // The shapes are the grown ones.
         change(&mut shapes, -by);
-        all.as_flattened().iter().all(is_whole).then(|| are_disjoint(&shapes))
+        all.as_flattened().iter().all(is_whole).then(|| of_whole(&shapes))
     })
 }
 
@@ -62,8 +84,9 @@ fn change(shapes: &mut [Projection<i32>; 3], by: i32) {
 
 #[cfg(test)]
 mod tests {
-    use super::disjoint;
+    use super::{disjoint, relation};
     use crate::arithmetic::{Each, three};
+    use crate::query::relation::Relate;
     use crate::random::Random;
     use crate::scalar::Scalar;
     use crate::shape::{Aabb, Triangle};
@@ -104,6 +127,9 @@ mod tests {
                 if let Some(found) = disjoint(&triangle, &aabb) {
                     assert_eq!(found, !triangle.overlaps(&aabb), "{triangle:?} {aabb:?}");
                     answers += 1;
+                }
+                if let Some(found) = relation(&triangle, &aabb) {
+                    assert_eq!(found, triangle.relation(&aabb), "{triangle:?} {aabb:?}");
                 }
             }
         }
