@@ -2,12 +2,12 @@
 //! the stage of fixed point, which is `short`.
 //!
 //! Lengths have one power of two for a unit and axes another, each number rounded toward zero. A vertex
-//! relative to the centre is off by less than two units, which is 2^-12 once 13 bits are cut. A component of an
-//! axis is off by less than one, of 2^29, and 10 bits are cut: 2^-10.
+//! relative to the centre is off by less than two units, and a component of an axis by less than one. The
+//! greatest component is at least 2^28 in size, so that at least 9 bits of axes are cut; of lengths it is 13.
 
 use super::Disjoint;
 use super::known::{Known, WholeBox};
-use super::short::are_disjoint;
+use super::short::{OF_FLOATS, are_disjoint};
 use crate::arithmetic::{Float, SMALL_CODE, cut_to_words, greatest, is_software, three};
 use crate::robust::noted;
 use crate::scalar::Scalar;
@@ -36,6 +36,10 @@ impl WholeBox for InWords {
     #[inline(always)]
     fn fraction_bits(&self) -> i32 {
         self.fraction_bits
+    }
+    #[inline(always)]
+    fn error(&self) -> i32 {
+        OF_FLOATS
     }
 }
 

@@ -16,6 +16,11 @@ pub(in crate::query) trait WholeBox {
     fn half(&self) -> [Self::Raw; 3];
     /// A one of the axes is two to this power.
     fn fraction_bits(&self) -> i32;
+    /// What the numbers add to the error of the stage.
+    #[inline(always)]
+    fn error(&self) -> i32 {
+        0
+    }
 }
 
 impl<S: Scalar + InRaw> WholeBox for Obb<S> {

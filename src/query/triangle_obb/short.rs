@@ -18,27 +18,28 @@
 //!
 //! | quantity | magnitude | nothing cut | axes cut | lengths cut |
 //! | --- | --- | --- | --- | --- |
-//! | u, to the nearest | 2^19 | 0 | 1/2 + 2^-10 | |
+//! | u, to the nearest | 2^19 | 0 | 1/2 | |
 //! | d, to the nearest | 2^18 | 0 | | 1/2 + 2^-12 |
-//! | h, to the nearest | 2^18 | 0 | | 1/2 + 2^-12 |
-//! | w_i = (u_j × u_l)/2^19, rounded down | 2^20 | 1 | 1 + 2.004 | |
-//! | volume = u_0·w_0/2^19, rounded down | 2^21 | 1 + 3 | 1 + 9.02 + 3.01 | |
-//! | vertex = w_i·d/2^10, rounded down | 3·2^28 | 1 + 768 | 1 + 2307 | and 1537 |
-//! | extent = h_i·volume/2^10, rounded down | 2^29 | 1 + 1024 | 1 + 3334 | and 1025 |
+//! | h, to the nearest | 2^18 | 0 | | 1/2 |
+//! | w_i = (u_j × u_l)/2^19, rounded down | 2^20 | 1 | 1 + 2 | |
+//! | volume = u_0·w_0/2^19, rounded down | 2^21 | 1 + 3 | 1 + 9 + 3 | |
+//! | vertex = w_i·d/2^10, rounded down | 3·2^28 | 1 + 768 | 1 + 2304 | and 1537 |
+//! | extent = h_i·volume/2^10, rounded down | 2^29 | 1 + 1024 | 1 + 3328 | and 1024 |
 //!
-//! * w_i: two products of components up to 2^19, each off by 1/2 and 2^-10; each product errs by little more
-//!   than 2^19.
+//! * w_i: two products of components up to 2^19, each off by 1/2; each product errs by 2^19.
 //! * volume: three products of w_i, off by 1 or 3, with a component of u_0, up to 2^19; and of w_i,
-//!   up to 2^20, with u_0, off by 1/2 and 2^-10. No determinant of numbers up to 1 exceeds 4.
+//!   up to 2^20, with u_0, off by 1/2. No determinant of numbers up to 1 exceeds 4.
 //! * vertex: three products of w_i, off by 1 or 3, with a length, up to 2^18; and of w_i, up to
 //!   2^20, with a length, off by 1/2 + 2^-12.
-//! * extent: the volume, off by 4 or 13.02, with h, up to 2^18; and the volume with h, off by 1/2 and 2^-12.
+//! * extent: the volume, off by 4 or 13, with h, up to 2^18; and the volume with h, off by 1/2.
 //!
 //! The last two columns add up to [`ERROR`], [`OF_AXES`] and [`OF_LENGTHS`]; `short.g` proves the
 //! sums. A difference that does not fit its word is computed from halves, together off by up to
 //! 1/2. It is cut by 13 bits or more, so this becomes at most 2^-12. The ends of a ray are off by less
-//! than 2, and are cut by 13 bits or more (`line_obb::words`); so are floats, whose axes are off by less than one and
-//! are cut by 10 (`floats`).
+//! than 2, and are cut by 13 bits or more (`line_obb::words`).
+//!
+//! Floats come as words of 29 bits (`floats`). 13 bits of lengths that are off by less than two are cut, and 9 of
+//! axes that are off by less than one: that is 2^-12 and 2^-9, and [`OF_FLOATS`] more in the end.
 //!
 //! Sums of products take words of 32 bits in two parts. With one operand of 20 bits split in the
 //! middle, three products are below 3·2^29.
@@ -61,9 +62,11 @@ const FINAL: i32 = 17;
 /// The error of a vertex and an extent together, if nothing is cut.
 const ERROR: i32 = 1794;
 /// The error that cut axes add.
-const OF_AXES: i32 = 3848;
+const OF_AXES: i32 = 3840;
 /// The error that cut lengths add.
-const OF_LENGTHS: i32 = 2562;
+const OF_LENGTHS: i32 = 2561;
+/// The error that numbers add which were floats.
+pub(super) const OF_FLOATS: i32 = 16;
 
 /// The least unit of vertices that are exact.
 pub(in crate::query) const EXACT: i32 = i32::MIN;
@@ -117,7 +120,7 @@ fn framed<'c, R: Raw>(
     let known = known();
     let longest = known.longest(obb);
     let u = cut_axes(obb, longest);
-    let mut error = ERROR;
+    let mut error = ERROR + obb.error();
     if longest > AXIS {
         error += OF_AXES;
     }
@@ -149,7 +152,7 @@ fn framed<'c, R: Raw>(
         most |= size(&[t[i]]) | half[i];
     }
 
-    // The error is at most 3 + (1794 + 3848 + 2562)/2^6.
+    // The error is at most 3 + (1794 + 3840 + 2561 + 16)/2^6.
     let down = greatest((most + (most >> 8)).bits() - FINAL, 6);
     let by = (error >> down) + 3;
     let change = if change == Change::Grown { by } else { -by };
