@@ -2,9 +2,8 @@
 //! scalars that are integers of a few words. A product takes one instruction, and no sum a second word.
 
 use core::cmp::Ordering;
-use core::num::NonZeroU32;
 
-use super::directions::Axes;
+use super::directions::{Apart, Axes};
 use super::integers::Words;
 use super::whole::Pair;
 use crate::arithmetic::{Each, greatest, pick};
@@ -42,64 +41,40 @@ const LEAST: i32 = 28;
 /// three products are cut: `cut.g`.
 const ERROR: i32 = 61800;
 
-/// Bounds along a direction.
-pub(super) struct Measured {
-    /// The overlaps against the direction and along it, in units of its length.
-    overlaps: [i32; 2],
-    /// How far each may be off.
-    error: i32,
-    /// Its square over 2^20. The true square less this number is in (-2, 3).
-    ///
-    /// The greatest coordinate is at least 2^14 in size and at most 2^15. A coordinate errs by less
-    /// than 9, and the square by less than 2·9·3·2^15 + 3·9², below 2^20·2.
-    square: NonZeroU32,
+/// The depths along a direction, in a unit of all directions: the least that each may be, against the
+/// direction and along it, and the most that the lesser may be.
+pub(super) struct Depths {
+    pub(super) least: [i32; 2],
+    pub(super) most: i32,
 }
 
-/// A square of a depth, as m/square, in a unit that is chosen for all.
-#[derive(Clone, Copy)]
-pub(super) struct Depth {
-    m: u32,
-    square: u32,
+/// How far a depth may be off, in units of 2^-13 of itself, beside the error of the direction's coordinates.
+///
+/// Their greatest is at least 2^14, so e of each is √3·e/2 such units of the length. The inverse of the length
+/// lacks up to two: `cut.g`.
+const LACK: i32 = 2;
+
+/// 2^30/√square, less than 2^-12 of it too low, for a square from 2^28 to 2^32.
+///
+/// An estimate by two lines is off by less than 2^-5 of itself, and a step of Newton's method squares that,
+/// times 3/2. Both steps are rounded down.
+#[inline(always)]
+fn inverse_root(square: u32) -> u32 {
+    let is_upper = square >> 30 != 0;
+    // In units of 2^-16, from 1/4 to one, and the inverse of its root in units of 2^-15.
+    let x = if is_upper { square >> 16 } else { square >> 14 };
+    let mut y = if x >> 15 == 1 { 0xe4d4 - (x * 13 >> 5) } else { 0x14354 - (x * 73 >> 6) };
+    for _ in 0..2 {
+        let of_one = ((y * y) >> 16) * (x + 1) >> 16;
+        y = y * (3 * (1 << 14) - 1 - of_one) >> 15;
+    }
+    if is_upper { y >> 1 } else { y }
 }
 
-impl Depth {
-    pub(super) fn is_at_most(&self, other: &Self) -> bool {
-        // At most 2^20·3075 each.
-        self.m * other.square <= other.m * self.square
-    }
-}
-
-impl Measured {
-    /// Whether the shapes are certainly apart.
-    pub(super) fn are_apart(&self) -> bool {
-        self.overlaps.iter().any(|&overlap| overlap < -self.error)
-    }
-
-    /// The most that the overlap may be on the side where it is less.
-    pub(super) fn most(&self) -> i32 {
-        let [against, along] = self.overlaps;
-        against.min(along) + self.error
-    }
-
-    /// The most that the depth may be, if that overlap is at most four times the least of all: no length is
-    /// four times another. Ten bits hold four times the least in units of 2^`down`.
-    pub(super) fn bound(&self, least: i32, down: u32) -> Option<Depth> {
-        let most = self.most();
-        let m = (most >> down) as u32 + 1;
-        (most >> 2 <= least).then(|| Depth { m: m * m, square: self.square.get() - 2 })
-    }
-
-    /// Whether the depth on one side may be at most a bound.
-    pub(super) fn is_within(&self, is_along: bool, bound: &Depth, least: i32, down: u32) -> bool {
-        let overlap = greatest(self.overlaps[usize::from(is_along)] - self.error, 0);
-        let m = (overlap >> down) as u32;
-        overlap >> 2 <= least && Depth { m: m * m, square: self.square.get() + 3 }.is_at_most(bound)
-    }
-}
-
-/// How far overlaps are shifted down so that ten bits hold four times the least.
-pub(super) fn places_beyond(least: i32) -> u32 {
-    24_u32.saturating_sub(least.leading_zeros())
+/// x·y/2^16, rounded down.
+#[inline(always)]
+fn scaled(x: i32, y: u32) -> i32 {
+    (x >> 16) * y as i32 + (((x as u32 & 0xffff) * y) >> 16) as i32
 }
 
 /// Three numbers over a power of two, which is above one where 31 bits do not hold them.
@@ -187,6 +162,7 @@ impl<'a> Cut<'a> {
     }
 
     /// The overlaps against a direction and along it, by all but the sides in `own`, as bits 3·shape + k.
+    #[inline(always)]
     fn overlaps(&self, a: &[i32; 3], own: u32) -> [i32; 2] {
         let along = |v: &[i32; 3]| (a[0] * v[0] + a[1] * v[1] + a[2] * v[2]) >> 3;
         let are_triangles = self.pair.are_triangles;
@@ -234,12 +210,15 @@ impl<'a> Cut<'a> {
     /// The direction's leading bits, and how far they are off; `None` if it is zero.
     fn direction(&self, numbers: [u8; 2]) -> Option<([i32; 3], i32)> {
         let cross = self.cross(numbers);
-        let width = 32 - cross.iter().fold(0, |all, x| all | x ^ x >> 31).leading_zeros() as i32;
-        if width >= LEAST {
-            // 2^16 over that power, and one.
-            return Some((cross.each(|x| x >> (width - BITS)), (1 << (31 - width)) + 1));
+        let size = cross.iter().fold(0, |all, x| all | x ^ x >> 31) as u32;
+        if size >> (LEAST - 1) == 0 {
+            return Some((self.pair.along(numbers).cut(BITS)?, 1));
         }
-        Some((self.pair.along(numbers).cut(BITS)?, 1))
+        // So that `BITS` are left. Cores may have no instruction that counts zeros; these are three bits.
+        let more = (0x3333_2210_u32 >> (size >> LEAST << 2)) & 3;
+        // 2^16 over that power, and one.
+        let down = LEAST as u32 - BITS as u32 + more;
+        Some((cross.each(|x| x >> down), (1 << (16 - down)) + 1))
     }
 
     /// The signs of the sides along a direction, where they are certain.
@@ -258,12 +237,52 @@ impl<'a> Cut<'a> {
         along
     }
 
-    /// Bounds along a direction; `None` if it is zero.
-    pub(super) fn measured(&self, numbers: [u8; 2]) -> Option<Measured> {
-        let (a, error) = self.direction(numbers)?;
+    /// The depths along a direction; `None` if it is zero, or if they are certainly above `bound`.
+    ///
+    /// A coordinate of the direction is at most 2^15, and the greatest at least 2^14. So its length is below
+    /// four times that, and a depth, the overlap times 2^14 over the length, above a fourth of the overlap.
+    #[inline(always)]
+    pub(super) fn depths(&self, numbers: [u8; 2], bound: i32) -> Result<Option<Depths>, Apart> {
+        let Some((a, error)) = self.direction(numbers) else { return Ok(None) };
         let overlaps = self.overlaps(&a, 1 << numbers[0] | 1 << numbers[1]);
-        let square = a.iter().map(|x| x.unsigned_abs().pow(2)).sum::<u32>() >> 20;
-        let error = ((self.of.sum * error) >> 3) + ERROR;
-        Some(Measured { overlaps, error, square: NonZeroU32::new(square)? })
+        let lesser = overlaps[0].min(overlaps[1]);
+        let of_overlap = ((self.of.sum * error) >> 3) + ERROR;
+        if lesser < -of_overlap {
+            return Err(Apart);
+        }
+        if (lesser - of_overlap) >> 2 > bound {
+            return Ok(None);
+        }
+        let inverse = inverse_root(a.iter().map(|x| x.unsigned_abs().pow(2)).sum());
+        let of_depth = |depth: i32| (depth >> 13) * (error + LACK) + error + LACK;
+        let least = overlaps.each(|overlap| {
+            let depth = scaled(overlap - of_overlap, inverse);
+            depth - of_depth(depth)
+        });
+        let most = scaled(lesser + of_overlap, inverse) + 1;
+        Ok(Some(Depths { least, most: most + of_depth(most) }))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Of all squares: a root depends on the leading 16 of 30 or 32 bits.
+    #[test]
+    fn inverse_roots_are_too_low_by_less_than_stated() {
+        for x in 1_u32 << 14..1 << 16 {
+            for down in [14, 16] {
+                let (first, last) = (x << down, x << down | ((1 << down) - 1));
+                if first >> 30 == 0 && down == 16 || first >> 30 != 0 && down == 14 {
+                    continue;
+                }
+                let root = inverse_root(first);
+                assert_eq!(root, inverse_root(last));
+                let square = |square: u32| u128::from(root).pow(2) * u128::from(square);
+                assert!(square(last) <= 1 << 60, "{first}");
+                assert!(square(first) << 24 > 4095_u128.pow(2) << 60, "{first}");
+            }
+        }
     }
 }

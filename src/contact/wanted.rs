@@ -1,7 +1,7 @@
 //! The translations that may be the least: of all directions a few, by floats or by words.
 
 use super::body::Body;
-use super::cut::{Cut, Measured, places_beyond};
+use super::cut::Cut;
 use super::directions::{Apart, Direction, all, sides_of_all};
 use super::filter::{Filter, Ruler};
 use super::lanes::Lanes;
@@ -43,27 +43,17 @@ impl Wanted {
         let axes = cut.axes();
         // Others that are superfluous are left out where one of them may be the least: that is less work.
         let count = if axes.are_alike() { 3 } else { all.len() };
-        let mut measures: [Option<Measured>; 16] = [const { None }; 16];
-        let mut least = i32::MAX;
+        // None is left where all are zero.
+        let (mut least, mut bound) = ([[i32::MAX; 2]; 16], i32::MAX - 1);
         let all_sides = sides_of_all(cut.are_triangles());
-        for (measured, &sides) in measures.iter_mut().zip(all_sides).take(count) {
-            let Some(here) = cut.measured(sides) else { continue };
-            if here.are_apart() {
-                return Err(Apart);
+        for (least, &sides) in least.iter_mut().zip(all_sides).take(count) {
+            if let Some(depths) = cut.depths(sides, bound)? {
+                (*least, bound) = (depths.least, bound.min(depths.most));
             }
-            least = least.min(here.most());
-            *measured = Some(here);
         }
-        let down = places_beyond(least);
-        let bounds = measures.iter().flatten().filter_map(|measured| measured.bound(least, down));
-        let bound =
-            bounds.reduce(|bound, other| if other.is_at_most(&bound) { other } else { bound });
-        for (n, measured) in measures.iter().enumerate() {
-            if let (Some(measured), Some(bound)) = (measured, &bound) {
-                let bit = |side| u16::from(measured.is_within(side, bound, least, down)) << n;
-                wanted.against |= bit(false);
-                wanted.along |= bit(true);
-            }
+        for (n, &[against, along]) in least.iter().enumerate() {
+            wanted.against |= u16::from(against <= bound) << n;
+            wanted.along |= u16::from(along <= bound) << n;
         }
         if wanted.single().is_none() {
             let needed = axes.needed(all, |sides, axis| cut.is_clear(sides, axis));
