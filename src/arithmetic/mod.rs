@@ -60,7 +60,8 @@ pub(crate) use offset::Offset;
 pub use parts::Parts;
 pub(crate) use parts::{Bits, cut, exp2, exponent, is_zero, multiple, raised, short_product};
 pub(crate) use platform::{
-    REGISTERS_ARE_WIDE, SMALL_CODE, is_software, out_of_line, out_of_line_if_wide, part,
+    REGISTERS_ARE_WIDE, SMALL_CODE, cuts_floats, is_software, out_of_line, out_of_line_if_wide,
+    part,
 };
 pub(crate) use quad::{OfFour, Quad, THREE, root_of_machine};
 #[cfg(feature = "fixed")]

@@ -28,6 +28,11 @@ pub(crate) const fn is_software<F>() -> bool {
     !REGISTERS_ARE_WIDE && (!has_floats || size_of::<F>() == size_of::<f64>())
 }
 
+/// Whether floats of this type are cut to words before they are computed by functions. Small code does without.
+pub(crate) const fn cuts_floats<F>() -> bool {
+    is_software::<F>() && !SMALL_CODE
+}
+
 /// Whether a multiplication gives the full product of two words.
 ///
 /// ARMv6-M has neither long products nor atomics, and ARMv7-M has both; stable Rust can query only

@@ -66,7 +66,7 @@ fn inverse_root(square: u32) -> u32 {
     let mut y = if x >> 15 == 1 { 0xe4d4 - (x * 13 >> 5) } else { 0x14354 - (x * 73 >> 6) };
     for _ in 0..2 {
         let of_one = ((y * y) >> 16) * (x + 1) >> 16;
-        y = y * (3 * (1 << 14) - 1 - of_one) >> 15;
+        y = y * (3 * (1 << 14) - 2 - of_one) >> 15;
     }
     if is_upper { y >> 1 } else { y }
 }

@@ -37,6 +37,8 @@
 //! Two boxes: E = 1/2 + 6·1/2 = 7/2 and less than 2^-6. A ray and a box: E = 3/2 + 1 + 3·1/2 = 4
 //! and less than 2^-6. [`ERROR`] is above both. `obb_short.g` proves the sums.
 
+pub(super) mod floats;
+
 use crate::arithmetic::{Each, InRaw, Raw, Word, greatest, out_of_line, product, three, turn};
 use crate::query::relation::Relation;
 use crate::scalar::Scalar;
@@ -59,6 +61,10 @@ pub(super) struct Scaled<const K: usize> {
 }
 
 impl<const K: usize> Scaled<K> {
+    fn new(numbers: [[i64; 3]; K], exponent: i32) -> Self {
+        Self { numbers, exponent, end: bits(&numbers) + exponent }
+    }
+
     /// In units of two to the `unit`, to the nearest.
     pub(super) fn cut(&self, unit: i32) -> [[i32; 3]; K] {
         Raw::cut(self.numbers, unit - self.exponent)
@@ -93,8 +99,7 @@ fn sum(of: impl Fn(usize) -> i128, halved: i32) -> Scaled<1> {
     // The shift loses far less than the last place that is left of numbers so long.
     let down = if is_long { 3 } else { 0 };
     let numbers = [three(|i| (whole[i] >> down) as i64)];
-    let exponent = down - halved;
-    Scaled { numbers, exponent, end: bits(&numbers) + exponent }
+    Scaled::new(numbers, down - halved)
 }
 
 /// Each vector times a number, with the fraction bits of the two factors in the raw bits.
@@ -129,7 +134,7 @@ fn spans<S: Scalar + InRaw>(obb: &Obb<S>) -> Scaled<3> {
 pub(super) fn boxes<S: Scalar + InRaw>(first: &Obb<S>, second: &Obb<S>) -> Option<Relation> {
     let (a, b) = (raw(&first.center()), raw(&second.center()));
     let way = sum(|i| i128::from(b[i]) - i128::from(a[i]), 0);
-    relation_of_boxes(way, spans(first), spans(second))
+    relation_of_boxes(way, spans(first), spans(second), i32::MIN)
 }
 
 /// How an axis-aligned box and an oriented one lie to each other; `None` in doubt.
@@ -151,11 +156,21 @@ pub(super) fn aabb_and_obb<S: Scalar + InRaw>(aabb: &Aabb<S>, obb: &Obb<S>) -> O
         along[i][i] = half.numbers[0][i];
     }
     let Scaled { exponent, end, .. } = half;
-    relation_of_boxes(way, Scaled { numbers: along, exponent, end }, spans(obb))
+    relation_of_boxes(way, Scaled { numbers: along, exponent, end }, spans(obb), i32::MIN)
 }
 
-fn relation_of_boxes(way: Scaled<1>, first: Scaled<3>, second: Scaled<3>) -> Option<Relation> {
-    let unit = greatest(way.end, greatest(first.end, second.end)) - LENGTH;
+/// The unit of vectors that end there, and at least two to the `least`.
+fn unit_of([a, b, c]: [i32; 3], least: i32) -> i32 {
+    greatest(greatest(a, greatest(b, c)) - LENGTH, least)
+}
+
+fn relation_of_boxes(
+    way: Scaled<1>,
+    first: Scaled<3>,
+    second: Scaled<3>,
+    least: i32,
+) -> Option<Relation> {
+    let unit = unit_of([way.end, first.end, second.end], least);
     let ([way], [a, b, c], [e, f, g]) = (way.cut(unit), first.cut(unit), second.cut(unit));
     relation(&way, &[a, b, c, e, f, g])
 }
@@ -174,7 +189,7 @@ pub(super) fn segment<S: Scalar + InRaw>(segment: &Segment<S>, obb: &Obb<S>) -> 
             (from(center), sum(|i| half[i].into(), 0), false)
         }
     };
-    let unit = greatest(greatest(first.end, second.end), spans.end) - LENGTH;
+    let unit = unit_of([first.end, second.end, spans.end], i32::MIN);
     let ([p], [q], [u, v, w]) = (first.cut(unit), second.cut(unit), spans.cut(unit));
     let (way, half) = if is_halved { middle_and_half(&p, &q) } else { (p, q) };
     relation(&way, &[u, v, w, half]).map(|found| found == Relation::Disjoint)
@@ -243,6 +258,9 @@ fn relation<const K: usize>(way: &[i32; 3], spans: &[[i32; 3]; K]) -> Option<Rel
         return Some(Relation::Disjoint);
     }
     let (mut has_normal, mut is_overlap) = (false, true);
+    // How far all other half-vectors reach along the normal of two. The determinant of three is what each reaches
+    // along the normal of the others.
+    let mut reach = [[0; K]; K];
     for p in 0..K {
         for q in p + 1..K {
             let x = cross(&spans[p], &spans[q]);
@@ -250,10 +268,13 @@ fn relation<const K: usize>(way: &[i32; 3], spans: &[[i32; 3]; K]) -> Option<Rel
             if size == 0 {
                 continue;
             }
-            let mut gap = dot(&x, way);
-            for r in (0..K).filter(|&r| r != p && r != q) {
-                gap -= dot(&x, &spans[r]);
+            for r in q + 1..K {
+                let determinant = dot(&x, &spans[r]);
+                for (i, j) in [(p, q), (p, r), (q, r)] {
+                    reach[i][j] += determinant;
+                }
             }
+            let gap = dot(&x, way) - reach[p][q];
             if gap > ERROR * size {
                 return Some(Relation::Disjoint);
             }

@@ -23,7 +23,7 @@ use super::obb_short;
 use super::triangle_obb::exact::InSums;
 use super::triangle_obb::{has_second_look, operands, way};
 use crate::arithmetic::{Each, Embeds, Float, InFloat, Number, Parts};
-use crate::arithmetic::{InRaw, REGISTERS_ARE_WIDE, SMALL_CODE};
+use crate::arithmetic::{InRaw, REGISTERS_ARE_WIDE, SMALL_CODE, cuts_floats};
 use crate::robust::{Predicate, Profile, Vector, difference, noted, single};
 use crate::scalar::{FixedBackend, Scalar};
 use crate::shape::{Obb, Ray, Segment, SegmentForm};
@@ -238,7 +238,9 @@ impl<S: Scalar> Overlaps<Obb<S>> for Segment<S> {
     /// ```
     #[inline]
     fn overlaps(&self, obb: &Obb<S>) -> bool {
-        !S::evaluate(&Disjoint { line: Line::Segment(self), obb })
+        let is_cut = S::FLOAT.is_some() && cuts_floats::<S>();
+        let cut = if is_cut { noted(obb_short::floats::segment(self, obb)) } else { None };
+        !cut.unwrap_or_else(|| S::evaluate(&Disjoint { line: Line::Segment(self), obb }))
     }
 
     /// May the segment and the oriented box have a point in common?

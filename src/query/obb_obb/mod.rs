@@ -17,7 +17,7 @@ use super::orientation::Vector;
 use super::relation::{Asked, Relate, Relation};
 use super::triangle_obb::{has_second_look, operands, way};
 use crate::arithmetic::{
-    Each, Embeds, Float, InFloat, Number, greatest, largest, of_two, once, three,
+    Each, Embeds, Float, InFloat, Number, cuts_floats, greatest, largest, of_two, once, three,
 };
 use crate::arithmetic::{REGISTERS_ARE_WIDE, Word};
 use crate::robust::{Numeric, Predicate, Profile, noted};
@@ -87,6 +87,25 @@ impl<S: Scalar> Lie<'_, S> {
         let half = greatest(largest(&boxes.h), largest(&boxes.k));
         let error = error_bound::<N>(boxes.one, axes, largest(&boxes.d), half)?;
         all_axes(&boxes, &error, N::CERTAIN, looks_twice)
+    }
+}
+
+impl<S: Scalar> Lie<'_, S> {
+    /// The relation from cut numbers, if they are certain of it, for floats that functions compute.
+    #[inline(always)]
+    fn in_cut_floats(&self) -> Option<Relation> {
+        if S::FLOAT.is_none() || !cuts_floats::<S>() {
+            return None;
+        }
+        noted(match self.first {
+            First::Obb(first) => obb_short::floats::boxes(first, self.second),
+            First::Aabb(first) => obb_short::floats::aabb_and_obb(first, self.second),
+        })
+    }
+
+    #[inline(always)]
+    fn relation(&self) -> Relation {
+        self.in_cut_floats().unwrap_or_else(|| S::evaluate_numeric(self))
     }
 }
 
@@ -176,7 +195,7 @@ impl<S: Scalar> Overlaps<Obb<S>> for Obb<S> {
     #[inline]
     fn overlaps(&self, other: &Obb<S>) -> bool {
         let question = Lie { first: First::Obb(self), second: other, asked: Asked::Overlaps };
-        S::evaluate_numeric(&question) != Relation::Disjoint
+        question.relation() != Relation::Disjoint
     }
 
     /// May two oriented boxes have a point in common?
@@ -197,7 +216,7 @@ impl<S: Scalar> Overlaps<Obb<S>> for Obb<S> {
 
 impl<S: Scalar> Relate<Obb<S>> for Obb<S> {
     fn relation(&self, other: &Obb<S>) -> Relation {
-        S::evaluate_numeric(&Lie { first: First::Obb(self), second: other, asked: Asked::Relation })
+        Lie { first: First::Obb(self), second: other, asked: Asked::Relation }.relation()
     }
 }
 
@@ -226,8 +245,8 @@ impl<S: Scalar> Overlaps<Obb<S>> for Aabb<S> {
     /// ```
     #[inline]
     fn overlaps(&self, obb: &Obb<S>) -> bool {
-        S::evaluate_numeric(&Lie { first: First::Aabb(self), second: obb, asked: Asked::Overlaps })
-            != Relation::Disjoint
+        let question = Lie { first: First::Aabb(self), second: obb, asked: Asked::Overlaps };
+        question.relation() != Relation::Disjoint
     }
 
     /// May an axis-aligned box and an oriented box have a point in common?
@@ -243,6 +262,6 @@ impl<S: Scalar> Overlaps<Obb<S>> for Aabb<S> {
 
 impl<S: Scalar> Relate<Obb<S>> for Aabb<S> {
     fn relation(&self, obb: &Obb<S>) -> Relation {
-        S::evaluate_numeric(&Lie { first: First::Aabb(self), second: obb, asked: Asked::Relation })
+        Lie { first: First::Aabb(self), second: obb, asked: Asked::Relation }.relation()
     }
 }

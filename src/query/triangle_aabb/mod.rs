@@ -30,7 +30,7 @@ use super::relation::Relation;
 use super::{Axis, Overlaps};
 use crate::arithmetic::{
     Embeds, Float, InFloat, InWord, Int64OfFloats, OfFour, OneType, Quad, REGISTERS_ARE_WIDE,
-    Rounded, SMALL_CODE, Word, is_software,
+    Rounded, Word, cuts_floats, is_software,
 };
 use crate::robust::{Predicate, Profile, WordKernel, in_exact_numbers, in_floats, noted};
 use crate::scalar::{FixedBackend, Scalar};
@@ -62,7 +62,7 @@ impl<S: Scalar> Disjoint<'_, S> {
     }
 
     /// Whether coordinates are cut to words first: floats that functions compute, but not in small code.
-    const ARE_CUT: bool = S::FLOAT.is_some() && is_software::<S>() && !SMALL_CODE;
+    const ARE_CUT: bool = S::FLOAT.is_some() && cuts_floats::<S>();
 
     /// Whether `N` holds the shapes.
     #[inline(always)]

@@ -8,7 +8,7 @@
 use super::Disjoint;
 use super::known::{Known, WholeBox};
 use super::short::{OF_FLOATS, are_disjoint};
-use crate::arithmetic::{Float, SMALL_CODE, cut_to_words, greatest, is_software, three};
+use crate::arithmetic::{Float, cut_to_words, cuts_floats, greatest, three};
 use crate::robust::noted;
 use crate::scalar::Scalar;
 
@@ -44,11 +44,10 @@ impl WholeBox for InWords {
 }
 
 impl<S: Scalar> Disjoint<'_, S> {
-    /// The answer from cut numbers, if they are certain of it, for floats that functions compute. Small code does
-    /// without.
+    /// The answer from cut numbers, if they are certain of it, for floats that functions compute.
     #[inline(always)]
     pub(super) fn in_cut_floats(&self) -> Option<bool> {
-        if S::FLOAT.is_none() || !is_software::<S>() || SMALL_CODE {
+        if S::FLOAT.is_none() || !cuts_floats::<S>() {
             return None;
         }
         noted(self.of_cut_floats())
