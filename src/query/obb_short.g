@@ -26,12 +26,18 @@ between = int<dn>((p + q)*0.5);  Between = (P + Q)*0.5;
 part = int<dn>((q - p)*0.5);  Part = (Q - P)*0.5;
 way = x + between;  Way = X + Between;
 
-# Floats cut to words of 29 bits: k of a half-vector, and l of a difference of two lengths.
+# Floats cut to words of 29 bits: k of a half-vector, l of a difference of two lengths, and i and j of the ends of a ray
+# from there.
 k = int<ne>(m);
 l = int<ne>(n);
 a = int<ne>(b);
 centre = int<dn>((l + a)*0.5);  Centre = (N + B)*0.5;
 span = int<dn>((a - l)*0.5);  Span = (B - N)*0.5;
+
+i = int<ne>(c);
+j = int<ne>(w);
+middle_of_ray = l + int<dn>((i + j)*0.5);  Middle_of_ray = N + (C + W)*0.5;
+half_of_ray = int<dn>((j - i)*0.5);  Half_of_ray = (W - C)*0.5;
 
 { |H| <= 1b31 /\ |U| <= 1b31 /\ |T| <= 1b31 /\ |E| <= 1b31 /\ |S| <= 1b31 /\ |F| <= 1b31
 /\ |h| <= 1b30 /\ |h - H| <= 0.5 /\ |u| <= 1b30 /\ |u - U| <= 0.5
@@ -39,9 +45,11 @@ span = int<dn>((a - l)*0.5);  Span = (B - N)*0.5;
 /\ |s| <= 1b30 /\ |s - S| <= 0.5 /\ |f| <= 1b30 /\ |f - F| <= 0.5
 /\ |m| <= 1b19 /\ |m - M| <= 1281b-20 /\ |n| <= 1b19 /\ |n - N| <= 1b-12
 /\ |b| <= 1b19 /\ |b - B| <= 1b-12
+/\ |c| <= 1b19 /\ |c - C| <= 1b-8 /\ |w| <= 1b19 /\ |w - W| <= 1b-8
 /\ |y| <= 1b63 /\ |y - Y| <= 1 /\ |v| <= 1b63 /\ |v - V| <= 1
 -> |l - N| + 6*|k - M| - ERROR <= 0
 /\ |centre - Centre| + |span - Span| + 3*|k - M| - ERROR <= 0
+/\ |middle_of_ray - Middle_of_ray| + |half_of_ray - Half_of_ray| + 3*|k - M| - ERROR <= 0
 /\ |x - X| + 6*|g - G| - ERROR <= 0
 /\ |middle - Middle| + |half - Half| + 3*|g - G| - ERROR <= 0
 /\ |way - Way| + |part - Part| + 3*|g - G| - ERROR <= 0 }

@@ -209,8 +209,14 @@ pub(super) fn ray<S: Scalar + InRaw>(ray: &Ray<S>, obb: &Obb<S>) -> Option<bool>
     let [beyond] = Raw::cut(d, bits(&d) + 1 - LENGTH);
     let Some([from, to]) = ends(ray, reach, unit, beyond) else { return Some(true) };
     let [way] = way.cut(unit);
+    is_ray_apart(&way, [from, to], spans.cut(unit))
+}
+
+/// Whether the part of a line between two points misses a box, given the way from the centre of the box to the
+/// line's origin, and the points from there.
+fn is_ray_apart(way: &[i32; 3], [from, to]: [[i32; 3]; 2], spans: [[i32; 3]; 3]) -> Option<bool> {
     let (middle, half) = middle_and_half(&from, &to);
-    let [u, v, w] = spans.cut(unit);
+    let [u, v, w] = spans;
     let way = three(|i| way[i] + middle[i]);
     relation(&way, &[u, v, w, half]).map(|found| found == Relation::Disjoint)
 }
@@ -224,22 +230,36 @@ pub(super) fn ends<S: Scalar + InRaw>(
     unit: i32,
     beyond: [i32; 3],
 ) -> Option<[[i32; 3]; 2]> {
+    let t = |t: Option<S>| t.map(|t| (t.raw().into(), S::FRACTION_BITS));
+    let d = || [raw(&ray.direction())];
+    between([t(ray.t_min()), t(ray.t_max())], d, reach, unit, beyond)
+}
+
+/// The same, given each t with the fraction bits of its product with the direction `d`.
+#[inline(always)]
+fn between(
+    ends: [Option<(i64, i32)>; 2],
+    d: impl Fn() -> [[i64; 3]; 1],
+    reach: i32,
+    unit: i32,
+    beyond: [i32; 3],
+) -> Option<[[i32; 3]; 2]> {
     let far = |is_ahead: bool| if is_ahead { beyond } else { beyond.each(|x| -x) };
-    let at = |t: i64, is_last: bool| {
-        let d = [raw(&ray.direction())];
+    let at = |t: i64, fraction: i32, is_last: bool| {
+        let d = d();
         // At least 2^(t's bits − 1) times 2^(d's bits − 1).
-        if bits(&[[t, 0, 0]]) + bits(&d) - S::FRACTION_BITS - 2 < reach {
-            let [at] = products([t], d, S::FRACTION_BITS).cut(unit);
+        if bits(&[[t, 0, 0]]) + bits(&d) - fraction - 2 < reach {
+            let [at] = products([t], d, fraction).cut(unit);
             return Some(at);
         }
         ((t > 0) == is_last).then(|| far(is_last))
     };
-    let end = |t: Option<S>, is_last: bool| match t.map(|t| t.raw().into()) {
+    let end = |t: Option<(i64, i32)>, is_last: bool| match t {
         None => Some(far(is_last)),
-        Some(0) => Some([0; 3]),
-        Some(t) => out_of_line(|| at(t, is_last)),
+        Some((0, _)) => Some([0; 3]),
+        Some((t, fraction)) => out_of_line(|| at(t, fraction, is_last)),
     };
-    Some([end(ray.t_min(), false)?, end(ray.t_max(), true)?])
+    Some([end(ends[0], false)?, end(ends[1], true)?])
 }
 
 /// The middle of two points, rounded down, and half the way between them.

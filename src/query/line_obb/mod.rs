@@ -114,6 +114,20 @@ impl<S: Scalar> Disjoint<'_, S> {
     }
 }
 
+impl<S: Scalar> Disjoint<'_, S> {
+    /// The answer: of floats that functions compute, from cut numbers if these are certain of it.
+    #[inline(always)]
+    fn is_true(&self) -> bool {
+        let cut = || match self.line {
+            Line::Ray(ray) => obb_short::floats::ray(ray, self.obb),
+            Line::Segment(segment) => obb_short::floats::segment(segment, self.obb),
+        };
+        let is_cut = S::FLOAT.is_some() && cuts_floats::<S>();
+        let found = if is_cut { noted(cut()) } else { None };
+        found.unwrap_or_else(|| S::evaluate(self))
+    }
+}
+
 impl<S: Scalar> Predicate<S> for Disjoint<'_, S> {
     type Answer = bool;
 
@@ -198,7 +212,7 @@ impl<S: Scalar> Overlaps<Obb<S>> for Ray<S> {
     /// ```
     #[inline]
     fn overlaps(&self, obb: &Obb<S>) -> bool {
-        !S::evaluate(&Disjoint { line: Line::Ray(self), obb })
+        !Disjoint { line: Line::Ray(self), obb }.is_true()
     }
 
     /// May the ray and the oriented box have a point in common?
@@ -238,9 +252,7 @@ impl<S: Scalar> Overlaps<Obb<S>> for Segment<S> {
     /// ```
     #[inline]
     fn overlaps(&self, obb: &Obb<S>) -> bool {
-        let is_cut = S::FLOAT.is_some() && cuts_floats::<S>();
-        let cut = if is_cut { noted(obb_short::floats::segment(self, obb)) } else { None };
-        !cut.unwrap_or_else(|| S::evaluate(&Disjoint { line: Line::Segment(self), obb }))
+        !Disjoint { line: Line::Segment(self), obb }.is_true()
     }
 
     /// May the segment and the oriented box have a point in common?
