@@ -269,6 +269,8 @@ fn middle_and_half(p: &[i32; 3], q: &[i32; 3]) -> ([i32; 3], [i32; 3]) {
 
 /// How two symmetric shapes lie to each other, given the way between their centres and the
 /// half-vectors of the two boxes; `None` in doubt.
+// On a small core its frame is there only while it runs.
+#[cfg_attr(not(target_pointer_width = "64"), inline(never))]
 fn relation<const K: usize>(way: &[i32; 3], spans: &[[i32; 3]; K]) -> Option<Relation> {
     let is_beyond = |i: usize| {
         let reach: i64 = spans.iter().map(|g| i64::from(g[i]).abs()).sum();
