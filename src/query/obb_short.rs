@@ -37,9 +37,11 @@
 //! Two boxes: E = 1/2 + 6·1/2 = 7/2 and less than 2^-6. A ray and a box: E = 3/2 + 1 + 3·1/2 = 4
 //! and less than 2^-6. [`ERROR`] is above both. `obb_short.g` proves the sums.
 
+mod axes;
 pub(super) mod floats;
 
-use crate::arithmetic::{Each, InRaw, Raw, Word, greatest, out_of_line, product, three, turn};
+use self::axes::relation;
+use crate::arithmetic::{Each, InRaw, Raw, Word, greatest, out_of_line, product, three};
 use crate::query::relation::Relation;
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Obb, Ray, Segment, SegmentForm, Vec3};
@@ -265,56 +267,4 @@ fn between(
 /// The middle of two points, rounded down, and half the way between them.
 fn middle_and_half(p: &[i32; 3], q: &[i32; 3]) -> ([i32; 3], [i32; 3]) {
     (three(|i| (p[i] + q[i]) >> 1), three(|i| (q[i] - p[i]) >> 1))
-}
-
-/// How two symmetric shapes lie to each other, given the way between their centres and the
-/// half-vectors of the two boxes; `None` in doubt.
-// On a small core its frame is there only while it runs.
-#[cfg_attr(not(target_pointer_width = "64"), inline(never))]
-fn relation<const K: usize>(way: &[i32; 3], spans: &[[i32; 3]; K]) -> Option<Relation> {
-    let is_beyond = |i: usize| {
-        let reach: i64 = spans.iter().map(|g| i64::from(g[i]).abs()).sum();
-        i64::from(way[i]).abs() - reach > ERROR
-    };
-    if (0..3).any(is_beyond) {
-        return Some(Relation::Disjoint);
-    }
-    let (mut has_normal, mut is_overlap) = (false, true);
-    // How far all other half-vectors reach along the normal of two. The determinant of three is what each reaches
-    // along the normal of the others.
-    let mut reach = [[0; K]; K];
-    for p in 0..K {
-        for q in p + 1..K {
-            let x = cross(&spans[p], &spans[q]);
-            let size = x[0].abs() + x[1].abs() + x[2].abs();
-            if size == 0 {
-                continue;
-            }
-            for r in q + 1..K {
-                let determinant = dot(&x, &spans[r]);
-                for (i, j) in [(p, q), (p, r), (q, r)] {
-                    reach[i][j] += determinant;
-                }
-            }
-            let gap = dot(&x, way) - reach[p][q];
-            if gap > ERROR * size {
-                return Some(Relation::Disjoint);
-            }
-            has_normal = true;
-            is_overlap &= gap < -ERROR * size;
-        }
-    }
-    (has_normal && is_overlap).then_some(Relation::Overlapping)
-}
-
-fn cross(a: &[i32; 3], b: &[i32; 3]) -> [i64; 3] {
-    three(|i| {
-        let (_, j, k) = turn(i);
-        product(a[j], b[k]) - product(a[k], b[j])
-    })
-}
-
-/// The magnitude of the product.
-fn dot(x: &[i64; 3], g: &[i32; 3]) -> i64 {
-    (x[0] * i64::from(g[0]) + x[1] * i64::from(g[1]) + x[2] * i64::from(g[2])).abs()
 }

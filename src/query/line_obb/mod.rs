@@ -117,7 +117,7 @@ impl<S: Scalar> Disjoint<'_, S> {
 impl<S: Scalar> Disjoint<'_, S> {
     /// The answer: of floats that functions compute, from cut numbers if these are certain of it.
     #[inline(always)]
-    fn is_true(&self) -> bool {
+    fn is_disjoint(&self) -> bool {
         let cut = || match self.line {
             Line::Ray(ray) => obb_short::floats::ray(ray, self.obb),
             Line::Segment(segment) => obb_short::floats::segment(segment, self.obb),
@@ -193,7 +193,8 @@ impl<S: Scalar> Overlaps<Obb<S>> for Ray<S> {
     /// must also be within that of the coordinates. Outside, and for floats within rounding of
     /// contact, wider numbers decide, up to a thousand times slower.
     ///
-    /// *Panics*: never. *Cost*: about 75 multiplications, no division.
+    /// *Panics*: never. *Cost*: about 75 multiplications, no division. Floats that functions compute begin in integers,
+    /// except in `may_overlap`, which takes longer there.
     ///
     /// *Source*: separating axes as for a segment and an axis-aligned box in *Real-Time Rendering*
     /// 16.7. Axes that need not be orthonormal, the bound and the exact stages are ours.
@@ -212,7 +213,7 @@ impl<S: Scalar> Overlaps<Obb<S>> for Ray<S> {
     /// ```
     #[inline]
     fn overlaps(&self, obb: &Obb<S>) -> bool {
-        !Disjoint { line: Line::Ray(self), obb }.is_true()
+        !Disjoint { line: Line::Ray(self), obb }.is_disjoint()
     }
 
     /// May the ray and the oriented box have a point in common?
@@ -252,7 +253,7 @@ impl<S: Scalar> Overlaps<Obb<S>> for Segment<S> {
     /// ```
     #[inline]
     fn overlaps(&self, obb: &Obb<S>) -> bool {
-        !Disjoint { line: Line::Segment(self), obb }.is_true()
+        !Disjoint { line: Line::Segment(self), obb }.is_disjoint()
     }
 
     /// May the segment and the oriented box have a point in common?

@@ -176,7 +176,8 @@ impl<S: Scalar> Overlaps<Obb<S>> for Obb<S> {
     /// does, and otherwise 267; with vectors, four at once, and half as many if the axes are
     /// orthonormal up to rounding. Where floats are in doubt, integers
     /// take ten times as long if they hold all coordinates, and exact sums longer. Without vectors,
-    /// fixed point of up to 32 bits begins in `f64` on a machine that has it.
+    /// fixed point of up to 32 bits begins in `f64` on a machine that has it. All other fixed point, and floats
+    /// that functions compute, begin in integers: about 210 multiplications.
     ///
     /// *Source*: S. Gottschalk, M. C. Lin, D. Manocha, SIGGRAPH 1996; skewed axes and the exact
     /// stages are ours.
@@ -206,7 +207,7 @@ impl<S: Scalar> Overlaps<Obb<S>> for Obb<S> {
     /// contact, wherever the shapes are: for less than one in a thousand pairs of random shapes.
     ///
     /// *Panics*: never. *Cost*: bounded; as for the first stages of
-    /// [`overlaps`](Overlaps::overlaps).
+    /// [`overlaps`](Overlaps::overlaps), but floats that functions compute take longer.
     #[inline]
     fn may_overlap(&self, other: &Obb<S>) -> bool {
         let question = Lie { first: First::Obb(self), second: other, asked: Asked::MayOverlap };

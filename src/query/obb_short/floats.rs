@@ -109,84 +109,107 @@ pub(in crate::query) fn ray<S: Scalar>(ray: &Ray<S>, obb: &Obb<S>) -> Option<boo
 
 #[cfg(test)]
 mod tests {
+    use core::fmt::Debug;
+
     use super::{aabb_and_obb, boxes, ray, segment};
     use crate::arithmetic::{Each, three};
-    use crate::query::relation::{Relate, Relation};
+    use crate::query::relation::Relate;
     use crate::random::Random;
     use crate::scalar::Scalar;
     use crate::shape::{Aabb, Obb, Ray, Segment};
 
-    /// How many answers there are to each of four questions, and each of them is right. Boxes are skewed or nearly
-    /// alike, with axes and half-extents of any length, near the origin or far from it, even where
-    /// cut numbers have few bits of their size, and half of them nearly touch.
-    fn answers<S: Scalar>(of: impl Fn(f64) -> S, questions: i32) -> [i32; 4] {
-        let (mut random, mut answers) = (Random(0xf10b), [0; 4]);
-        for n in 0..questions {
+    type Point = [f64; 3];
+
+    /// Two boxes.
+    struct Scene {
+        centers: [Point; 2],
+        axes: [[Point; 3]; 2],
+        half: [Point; 2],
+    }
+
+    impl Scene {
+        /// Boxes that are skewed or nearly alike, with axes and half-extents of any length, near the origin or far from
+        /// it, even where cut numbers have few bits of their size. Half of them nearly touch.
+        fn new(random: &mut Random, n: i32) -> Self {
             let mut number = || f64::from(random.bits() as i32) * 2_f64.powi(-31);
             let far = [0.0, 0.0, 100.0, 4000.0][n as usize % 4];
             let size = if n / 2 % 4 == 0 { 2_f64.powi(-(n / 8 % 16)) } else { 1.0 };
             let scales = [4, 64].each(|by: i32| 2_f64.powi(n / by % 9 - 4));
-            let mut vectors = |by: f64| {
+            let axes = scales.each(|by| {
                 let all = [(); 3].each(|()| three(|_| by * number()));
                 let one = |i: usize, k: usize| if i == k { by } else { 0.2 * all[k][i] };
                 if n % 3 == 0 { all } else { three(|k| three(|i| one(i, k))) }
-            };
-            let axes = scales.each(&mut vectors);
+            });
             let half = scales.each(|by| three(|_| size * number().abs() / by));
             let first = three(|_| far + size * number());
-            let corner = |center: [f64; 3], b: usize, sign: f64| -> [f64; 3] {
-                three(|i| {
-                    center[i] + sign * (0..3).map(|k| half[b][k] * axes[b][k][i]).sum::<f64>()
-                })
+            let mut scene = Self { centers: [first; 2], axes, half };
+            scene.centers[1] = if n / 4 % 2 == 0 {
+                // Corner to corner, nearly.
+                let off = size * 2_f64.powi(-(n / 16 % 30));
+                scene.centers[1] = scene.corner(0, 1.0).each(|x| x + off * number());
+                scene.corner(1, 1.0)
+            } else {
+                three(|_| far + 2.0 * size * number())
             };
-            // Anywhere, or corner to corner, nearly.
-            let off = 2_f64.powi(-(n / 16 % 30));
-            let mut second = three(|_| far + 2.0 * size * number());
-            if n / 4 % 2 == 0 {
-                let at = corner(first, 0, 1.0).each(|x| x + size * off * number());
-                second = corner(at, 1, 1.0);
-            }
-            let point = |p: [f64; 3]| p.each(&of);
-            let obb = |center, b: usize| {
-                Obb::from_skewed_axes(point(center), axes[b].each(point), point(half[b]))
+            scene
+        }
+
+        /// A corner of box b, or the opposite one.
+        fn corner(&self, b: usize, sign: f64) -> Point {
+            let (axes, half) = (&self.axes[b], &self.half[b]);
+            three(|i| self.centers[b][i] + sign * (0..3).map(|k| half[k] * axes[k][i]).sum::<f64>())
+        }
+    }
+
+    /// Counts an answer, which is the expected one.
+    fn check<A: PartialEq + Debug>(count: &mut i32, found: Option<A>, expected: A, n: i32) {
+        if let Some(found) = found {
+            assert_eq!(found, expected, "{n}");
+            *count += 1;
+        }
+    }
+
+    /// How many answers there are of boxes, of boxes of which one is axis-aligned, of segments, and of rays.
+    fn answers<S: Scalar>(of: impl Fn(f64) -> S, questions: i32) -> [i32; 4] {
+        let (mut random, mut answers) = (Random(0xf10b), [0; 4]);
+        let point = |p: Point| p.each(&of);
+        for n in 0..questions {
+            let scene = Scene::new(&mut random, n);
+            let obb = |b: usize| {
+                let (axes, half) = (scene.axes[b].each(point), point(scene.half[b]));
+                Obb::from_skewed_axes(point(scene.centers[b]), axes, half)
             };
-            let (Ok(one), Ok(other)) = (obb(first, 0), obb(second, 1)) else { continue };
-            let (low, high) = (three(|i| first[i] - half[0][i]), three(|i| first[i] + half[0][i]));
-            let aabbs = [
-                Aabb::from_center_half_extents(point(first), point(half[0])),
-                Aabb::from_min_max(point(low), point(high)),
-            ];
-            let [p, q] = [-1.0, 1.0].each(|sign: f64| point(corner(first, 0, sign)));
-            let segments = [
-                Segment::new(p, q),
-                Segment::from_center_half_vector(point(first), point(axes[0][0])),
-            ];
-            let mut check = |k: usize, found: Option<Relation>, expected: Relation| {
-                if let Some(found) = found {
-                    assert_eq!(found, expected, "{one:?} {other:?}");
-                    answers[k] += 1;
-                }
+            let (Ok(one), Ok(other)) = (obb(0), obb(1)) else { continue };
+            check(&mut answers[0], boxes(&one, &other), one.relation(&other), n);
+
+            let (center, half) = (scene.centers[0], scene.half[0]);
+            let aabb = if n / 2 % 2 == 0 {
+                Aabb::from_center_half_extents(point(center), point(half))
+            } else {
+                let end = |sign: f64| point(three(|i| center[i] + sign * half[i]));
+                Aabb::from_min_max(end(-1.0), end(1.0))
             };
-            check(0, boxes(&one, &other), one.relation(&other));
-            let aabb = aabbs[n as usize / 2 % 2].as_ref().unwrap();
-            check(1, aabb_and_obb(aabb, &other), aabb.relation(&other));
-            let line = segments[n as usize / 2 % 2].as_ref().unwrap();
-            if let Some(found) = segment(line, &other) {
-                assert_eq!(found, !line.overlaps(&other), "{line:?} {other:?}");
-                answers[2] += 1;
-            }
-            // Of no end, of ends near the box, and of ends where the way is long.
-            let length = 2_f64.powi(n / 4 % 40 - 20);
-            let way = three(|i| length * (corner(first, 0, 1.0)[i] - first[i]));
-            let ends = [[0.0, 1.0], [-1.5, 1.5], [0.25, 1.0]][n as usize % 3]
-                .each(|t| Some(of(t / length)));
-            let [from, to] = [ends, [None, ends[1]], [ends[0], None]][n as usize / 3 % 3];
-            let line = Ray::new(point(first), point(way)).and_then(|ray| ray.with_range(from, to));
+            let aabb = aabb.unwrap();
+            check(&mut answers[1], aabb_and_obb(&aabb, &other), aabb.relation(&other), n);
+
+            let [from, to] = [-1.0, 1.0].each(|sign: f64| scene.corner(0, sign));
+            let line = if n / 2 % 2 == 0 {
+                Segment::new(point(from), point(to))
+            } else {
+                Segment::from_center_half_vector(point(center), point(scene.axes[0][0]))
+            };
             let line = line.unwrap();
-            if let Some(found) = ray(&line, &other) {
-                assert_eq!(found, !line.overlaps(&other), "{line:?} {other:?}");
-                answers[3] += 1;
-            }
+            check(&mut answers[2], segment(&line, &other), !line.overlaps(&other), n);
+
+            // From the centre to a corner in a length of t far from one, with ends near the box and without.
+            let length = 2_f64.powi(n / 4 % 40 - 20);
+            let way = three(|i| length * (to[i] - center[i]));
+            let ends = [[0.0, 1.0], [-1.5, 1.5], [0.25, 1.0]][n as usize % 3];
+            let [t_min, t_max] = ends.each(|t| Some(of(t / length)));
+            let [t_min, t_max] = [[t_min, t_max], [None, t_max], [t_min, None]][n as usize / 3 % 3];
+            let line = Ray::new(point(center), point(way)).unwrap();
+            let line = line.with_range(t_min, t_max).unwrap();
+            check(&mut answers[3], ray(&line, &other), !line.overlaps(&other), n);
         }
         answers
     }
