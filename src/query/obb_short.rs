@@ -178,6 +178,7 @@ fn relation_of_boxes(
 }
 
 /// Whether a segment and an oriented box are disjoint; `None` in doubt.
+#[cfg_attr(not(target_pointer_width = "64"), inline(never))]
 pub(super) fn segment<S: Scalar + InRaw>(segment: &Segment<S>, obb: &Obb<S>) -> Option<bool> {
     let (c, spans) = (raw(&obb.center()), spans(obb));
     let from = |p: &Vec3<S>| {
@@ -201,6 +202,7 @@ pub(super) fn segment<S: Scalar + InRaw>(segment: &Segment<S>, obb: &Obb<S>) -> 
 ///
 /// Let the box and the way to it reach less than 2^n from the origin of the ray. Where the ray has
 /// no end, or one beyond that, it is cut where it is beyond that for certain.
+#[cfg_attr(not(target_pointer_width = "64"), inline(never))]
 pub(super) fn ray<S: Scalar + InRaw>(ray: &Ray<S>, obb: &Obb<S>) -> Option<bool> {
     let (c, p, d) = (raw(&obb.center()), raw(&ray.origin()), [raw(&ray.direction())]);
     let (spans, way) = (spans(obb), sum(|i| i128::from(p[i]) - i128::from(c[i]), 0));
