@@ -112,9 +112,7 @@ impl<S: Scalar> Disjoint<'_, S> {
         let u = [operands::<N>(u), operands::<N>(v), operands::<N>(w)];
         Some(Operands { m: way::<N>(p, c), d, ends, u, h: operands::<N>(h), one })
     }
-}
 
-impl<S: Scalar> Disjoint<'_, S> {
     /// The answer: of floats that functions compute, from cut numbers if these are certain of it.
     #[inline(always)]
     fn is_disjoint(&self) -> bool {

@@ -88,9 +88,7 @@ impl<S: Scalar> Lie<'_, S> {
         let error = error_bound::<N>(boxes.one, axes, largest(&boxes.d), half)?;
         all_axes(&boxes, &error, N::CERTAIN, looks_twice)
     }
-}
 
-impl<S: Scalar> Lie<'_, S> {
     /// The relation from cut numbers, if they are certain of it, for floats that functions compute.
     #[inline(always)]
     fn in_cut_floats(&self) -> Option<Relation> {
