@@ -63,10 +63,10 @@ fn inverse_root(square: u32) -> u32 {
     let is_upper = square >> 30 != 0;
     // In units of 2^-16, from 1/4 to one, and the inverse of its root in units of 2^-15.
     let x = if is_upper { square >> 16 } else { square >> 14 };
-    let mut y = if x >> 15 == 1 { 0xe4d4 - (x * 13 >> 5) } else { 0x14354 - (x * 73 >> 6) };
+    let mut y = if x >> 15 == 1 { 0xe4d4 - ((x * 13) >> 5) } else { 0x14354 - ((x * 73) >> 6) };
     for _ in 0..2 {
-        let of_one = ((y * y) >> 16) * (x + 1) >> 16;
-        y = y * (3 * (1 << 14) - 2 - of_one) >> 15;
+        let of_one = (((y * y) >> 16) * (x + 1)) >> 16;
+        y = (y * (3 * (1 << 14) - 2 - of_one)) >> 15;
     }
     if is_upper { y >> 1 } else { y }
 }
