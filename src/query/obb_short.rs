@@ -218,7 +218,6 @@ pub(super) fn ray<S: Scalar + InRaw>(ray: &Ray<S>, obb: &Obb<S>) -> Option<bool>
 
 /// Whether the part of a line between two points misses a box, given the way from the centre of the box to the
 /// line's origin, and the points from there.
-#[inline(always)]
 fn is_ray_apart(way: &[i32; 3], [from, to]: [[i32; 3]; 2], spans: [[i32; 3]; 3]) -> Option<bool> {
     let (middle, half) = middle_and_half(&from, &to);
     let [u, v, w] = spans;
