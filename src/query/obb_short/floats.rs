@@ -4,8 +4,8 @@
 //! So a length is off by less than one unit, the difference of two by less than two, and a component of an axis
 //! by less than 2^-28 of the greatest. Of lengths at least [`SPARE`] bits are cut, beside those by which axes are
 //! longer than one. That makes 2^-12 of a difference. Of a half-vector, which then has 19 bits, an axis makes
-//! 2^-10 and a half-extent 2^-13; of the end of a ray, the direction and t make 2^-9 each. `obb_short.g` proves the
-//! sums.
+//! 2^-9, where its greatest component is a power of two below zero, and a half-extent 2^-13; of the end of a ray, the
+//! direction and t make 2^-9 each. `obb_short.g` proves the sums.
 
 use super::{
     LENGTH, Scaled, between, bits, is_ray_apart, middle_and_half, products, relation,
