@@ -137,7 +137,8 @@ mod tests {
             let scales = [4, 64].each(|by: i32| 2_f64.powi(n / by % 9 - 4));
             let axes = scales.each(|by| {
                 let all = [(); 3].each(|()| three(|_| by * number()));
-                let one = |i: usize, k: usize| if i == k { by } else { 0.2 * all[k][i] };
+                let diagonal = if n % 2 == 0 { by } else { -by };
+                let one = |i: usize, k: usize| if i == k { diagonal } else { 0.2 * all[k][i] };
                 if n % 3 == 0 { all } else { three(|k| three(|i| one(i, k))) }
             });
             let half = scales.each(|by| three(|_| size * number().abs() / by));
