@@ -54,10 +54,10 @@ pub(super) struct Depths {
 /// lacks up to two: `cut.g`.
 const LACK: i32 = 2;
 
-/// 2^30/√square, less than 2^-12 of it too low, for a square from 2^28 to 2^32.
+/// A lower bound of 2^30/√square, for a square from 2^28 to 2^32. Its relative error is below 2^-12.
 ///
-/// An estimate by two lines is off by less than 2^-5 of itself, and a step of Newton's method squares that,
-/// times 3/2. Both steps are rounded down.
+/// The relative error of an estimate by two lines is below 2^-5. A step of Newton's method squares it, times 3/2.
+/// Both steps are rounded down.
 #[inline(always)]
 fn inverse_root(square: u32) -> u32 {
     let is_upper = square >> 30 != 0;

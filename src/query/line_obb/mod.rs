@@ -113,7 +113,7 @@ impl<S: Scalar> Disjoint<'_, S> {
         Some(Operands { m: way::<N>(p, c), d, ends, u, h: operands::<N>(h), one })
     }
 
-    /// The answer: of floats that functions compute, from cut numbers if these are certain of it.
+    /// The answer. Floats that functions compute begin with cut numbers.
     #[inline(always)]
     fn is_disjoint(&self) -> bool {
         let cut = || match self.line {

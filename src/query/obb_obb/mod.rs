@@ -89,7 +89,7 @@ impl<S: Scalar> Lie<'_, S> {
         all_axes(&boxes, &error, N::CERTAIN, looks_twice)
     }
 
-    /// The relation from cut numbers, if they are certain of it, for floats that functions compute.
+    /// The relation by cut numbers, for floats that functions compute; `None` in doubt.
     #[inline(always)]
     fn in_cut_floats(&self) -> Option<Relation> {
         if S::FLOAT.is_none() || !cuts_floats::<S>() {
