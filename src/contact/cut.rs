@@ -131,6 +131,7 @@ impl Rounded {
                         (x >> 16) * half as i32 + (((x as u32 & 0xffff) * half) >> 16) as i32
                     };
                     let reach = side.each(times);
+                    let up = up + pair.ups[n] as i32;
                     (self.reach[n][k], of_reach[n][k]) = (reach, up - free + 32 - zeros as i32);
                     most = greatest(most, bits(&reach) + of_reach[n][k]);
                 }

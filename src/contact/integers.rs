@@ -9,10 +9,15 @@ use crate::arithmetic::{
 };
 use crate::scalar::Scalar;
 
-/// Whether all numbers of a scalar are integers of a few words, on a core that computes floats by
-/// functions. Such a contact has its direction without floats and without long sums, in [`Words`].
+/// Whether [`Words`] may hold the numbers of a scalar, on a core that computes `f64` by functions. Such a
+/// contact has its direction without `f64` and without long sums.
+pub(super) const fn has_words<S: Scalar>() -> bool {
+    !REGISTERS_ARE_WIDE && size_of::<S>() <= size_of::<u32>()
+}
+
+/// Whether they hold all numbers of a scalar.
 pub(super) const fn is_whole<S: Scalar>() -> bool {
-    !REGISTERS_ARE_WIDE && size_of::<S>() <= size_of::<u32>() && S::FLOAT.is_none()
+    size_of::<S>() <= size_of::<u32>() && S::FLOAT.is_none()
 }
 
 /// Integers for the numbers of shapes and for their products.
@@ -128,17 +133,19 @@ impl Integers for Long {
     }
 }
 
-/// The numbers of a scalar that [`is_whole`], in units of its least number: lengths of up to 33 bits,
-/// whose products take one instruction where that suffices.
+/// The numbers of a scalar that [`has_words`], in fixed point in units of its least number: lengths of up to 33
+/// bits, whose products take one instruction where that suffices.
 pub(super) struct Words;
 
 impl Integers for Words {
     type Length = i64;
     type Area = i128;
 
-    fn length(x: Parts, _: i32) -> i64 {
-        let size = (x.magnitude << x.shift) as i64;
-        if x.negative { -size } else { size }
+    fn length(x: Parts, low: i32) -> i64 {
+        // Cores without such a shift call a function.
+        let is_in_units = i32::from(x.shift) == low;
+        let size = if is_in_units { x.magnitude as i64 } else { x.in_units(low) };
+        if is_in_units && x.negative { -size } else { size }
     }
     #[inline(never)]
     fn area(x: i64, y: i64) -> i128 {
@@ -151,8 +158,8 @@ impl Integers for Words {
     fn placed(x: i64, up: u32) -> i128 {
         Self::area(x, 1 << up)
     }
-    fn raised(x: i128, _: u32) -> i128 {
-        x
+    fn raised(x: i128, up: u32) -> i128 {
+        if up == 0 { x } else { x << up }
     }
     fn side(a: &[i128; 3], v: &[i64; 3]) -> Ordering {
         in_parts(a, &three(|i| v[i].into())).cmp(&(0, 0))
@@ -176,7 +183,7 @@ pub(super) fn is_short(x: i128) -> bool {
     x >> 62 == x >> 127
 }
 
-/// The product of a vector below 2^66 and one below 2^68: a multiple of 2^32, and the rest.
+/// The product of a vector below 2^66 and one below 2^90: a multiple of 2^32, and the rest.
 #[inline(never)]
 fn in_parts(a: &[i128; 3], v: &[i128; 3]) -> (i128, u32) {
     let (mut upper, mut lower) = (0, 0);

@@ -7,13 +7,14 @@ use super::cut::{Cut, Rounded};
 use super::directions::{Apart, Direction, all, sides_of_all};
 use super::exact::{Exact, Given, Sums, length};
 use super::filter::Filter;
-use super::integers::{Long, Short, Words, is_whole};
+use super::integers::{Long, Short, Words, has_words, is_whole};
 use super::measures::{Directed, Lengths, Way};
 use super::mesh::InteriorEdges;
 use super::on_axis::on_axis;
+use super::pairs::in_floats;
 use super::settled::settled;
 use super::wanted::{FACE, Wanted};
-use super::whole::{Pair, Units};
+use super::whole::{Pair, Units, in_words};
 use crate::arithmetic::{Each, REGISTERS_ARE_WIDE, pick, turn};
 use crate::robust::{Stage, note};
 use crate::scalar::Scalar;
@@ -54,7 +55,9 @@ fn exact<S: Scalar>(
     best: &mut (Way, Lengths),
 ) -> Result<bool, Apart> {
     let (short, long);
-    let numbers = match Units::new(bodies) {
+    // Small cores do without, for size.
+    let units = if REGISTERS_ARE_WIDE { Units::new(bodies) } else { None };
+    let numbers = match units {
         Some(units) if units.are_short => {
             short = units.pair(bodies);
             Numbers::Short(&short)
@@ -70,17 +73,26 @@ fn exact<S: Scalar>(
     least_of(wanted, &along, best)
 }
 
-/// The least translation of a scalar that [`is_whole`]; of all, or along the normal of the first shape.
+/// The least translation of shapes that [`Words`] hold, and `None` of others; of all, or along the normal of the
+/// first shape.
 #[inline(never)]
 pub(super) fn exact_in_words<S: Scalar>(
     bodies: &[Body<'_, S>; 2],
     is_normal: bool,
     best: &mut (Way, Lengths),
+) -> Option<Result<bool, Apart>> {
+    let mut pair = Pair::NONE;
+    in_words(bodies, &mut pair).then(|| least_in_words(bodies, &pair, is_normal, best))
+}
+
+fn least_in_words<S: Scalar>(
+    bodies: &[Body<'_, S>; 2],
+    pair: &Pair<Words>,
+    is_normal: bool,
+    best: &mut (Way, Lengths),
 ) -> Result<bool, Apart> {
-    let mut pair = Pair::<Words>::NONE;
-    Units::of_words::<S>().fill(bodies, &mut pair);
     let mut rounded = Rounded::NONE;
-    let cut = Cut::new(&pair, &mut rounded);
+    let cut = Cut::new(pair, &mut rounded);
     let wanted = if is_normal { Wanted::FACE } else { Wanted::in_words(all(bodies), &cut)? };
     let along = |direction: Direction, wanted| {
         let (own, numbers) =
@@ -137,24 +149,41 @@ pub(super) fn least_exact<S: Scalar>(
 ///
 /// Floats select which of up to 30 ways may be the least, and nearly always know the numbers of a
 /// single one. Exact numbers decide between several ways, and whether the shapes overlap at all.
-pub(super) fn least_measures<S: Scalar>(
-    bodies: &[Body<'_, S>; 2],
-    rough: impl FnOnce() -> [Rough; 2],
-) -> Option<Directed<S>> {
-    let measured = |(way, lengths): &(Way, Lengths)| {
+pub(super) fn least_measures<S: Scalar>(bodies: &[Body<'_, S>; 2]) -> Option<Directed<S>> {
+    least(bodies, None, false, |(way, lengths)| {
         let measures = lengths.measures(way.is_along);
         Directed { unit: [0.0; 3], depth: f64::INFINITY, measures, way: *way }
-    };
-    if is_whole::<S>() {
+    })
+}
+
+/// The same by words or by floats, whose way has a unit vector if `has_unit`. `numbers` makes it of exact numbers.
+#[inline(always)]
+fn least<S: Scalar>(
+    bodies: &[Body<'_, S>; 2],
+    rough: Option<&[Rough; 2]>,
+    has_unit: bool,
+    numbers: impl Fn(&(Way, Lengths)) -> Directed<S>,
+) -> Option<Directed<S>> {
+    if has_words::<S>() {
         let mut best = (Way::NONE, Lengths::NONE);
-        return exact_in_words(bodies, false, &mut best).ok()?.then(|| measured(&best));
+        let is_found = exact_in_words(bodies, false, &mut best);
+        if is_whole::<S>() || is_found.is_some() {
+            return is_found?.ok()?.then(|| numbers(&best));
+        }
     }
-    let rough = rough();
-    let filter = Filter::new::<S>(&rough);
+    let own;
+    let rough = match rough {
+        Some(rough) => rough,
+        None => {
+            own = in_floats(bodies);
+            &own
+        }
+    };
+    let filter = Filter::new::<S>(rough);
     let wanted = Wanted::new(bodies, &filter).ok()?;
-    from_floats(&filter, &wanted, bodies, false).or_else(|| {
+    from_floats(&filter, &wanted, bodies, has_unit).or_else(|| {
         let mut best = (Way::NONE, Lengths::NONE);
-        exact(bodies, &filter, &wanted, &mut best).ok()?.then(|| measured(&best))
+        exact(bodies, &filter, &wanted, &mut best).ok()?.then(|| numbers(&best))
     })
 }
 
@@ -187,32 +216,15 @@ fn directed<S: Scalar>((way, lengths): &(Way, Lengths)) -> Directed<S> {
     Directed { unit, depth, measures, way: *way }
 }
 
-#[inline(always)]
-fn least_directed<S: Scalar>(
-    bodies: &[Body<'_, S>; 2],
-    rough: Option<&[Rough; 2]>,
-) -> Option<Directed<S>> {
-    let Some(rough) = rough else {
-        let mut best = (Way::NONE, Lengths::NONE);
-        return exact_in_words(bodies, false, &mut best).ok()?.then(|| directed(&best));
-    };
-    let filter = Filter::new::<S>(rough);
-    let wanted = Wanted::new(bodies, &filter).ok()?;
-    from_floats(&filter, &wanted, bodies, true).or_else(|| {
-        let mut best = (Way::NONE, Lengths::NONE);
-        exact(bodies, &filter, &wanted, &mut best).ok()?.then(|| directed(&best))
-    })
-}
-
 /// The same for contact points, and in a mesh. Its frame is free before the points. A scalar that
-/// [`is_whole`] has no need of floats.
+/// [`has_words`] needs floats only where they do not hold the shapes.
 #[inline(never)]
 pub(super) fn least_way<S: Scalar>(
     bodies: &[Body<'_, S>; 2],
     rough: Option<&[Rough; 2]>,
     interior: InteriorEdges,
 ) -> Option<Directed<S>> {
-    let best = least_directed(bodies, rough);
+    let best = least(bodies, rough, true, directed);
     if interior == InteriorEdges::NONE {
         return best;
     }
@@ -228,7 +240,13 @@ pub(super) fn least_way<S: Scalar>(
     let mut normal = (Way::NONE, Lengths::NONE);
     let is_found = match rough {
         Some(rough) => exact(bodies, &Filter::new::<S>(rough), &Wanted::FACE, &mut normal),
-        None => exact_in_words(bodies, true, &mut normal),
+        None => match exact_in_words(bodies, true, &mut normal) {
+            Some(is_found) => is_found,
+            None if is_whole::<S>() => Ok(false),
+            None => {
+                exact(bodies, &Filter::new::<S>(&in_floats(bodies)), &Wanted::FACE, &mut normal)
+            }
+        },
     };
     let mut normal = is_found.ok()?.then(|| directed(&normal))?;
     normal.way.is_held = true;

@@ -1,7 +1,7 @@
 //! The pairs of shapes that have contacts, and the contacts of those with flat faces.
 
 use super::body::{Body, Flat, Rough, Round};
-use super::integers::is_whole;
+use super::integers::has_words;
 use super::least::{least_measures, least_way};
 use super::measures::Directed;
 use super::points::{features, points};
@@ -161,7 +161,7 @@ where
 
 pub(super) fn least_translation<S: Scalar>(bodies: &[Body<'_, S>; 2]) -> Option<Translation<S>> {
     // Where it is, without a copy.
-    let found = least_measures(bodies, || in_floats(bodies));
+    let found = least_measures(bodies);
     let Directed { measures, way, .. } = found.as_ref()?;
     Some(measures.translation(features(bodies, way)))
 }
@@ -170,7 +170,7 @@ pub(super) fn contact<S: Scalar>(
     bodies: &[Body<'_, S>; 2],
     interior: InteriorEdges,
 ) -> Option<Contact<S>> {
-    if is_whole::<S>() {
+    if has_words::<S>() {
         let best = least_way(bodies, None, interior);
         let best = best.as_ref()?;
         return Some(with_points(bodies, &mut in_floats(bodies), best));

@@ -6,7 +6,7 @@ use core::cmp::Ordering;
 
 use super::body::Body;
 use super::exact::{Given, Size};
-use super::integers::{Integers, Long, Short, Words, is_short};
+use super::integers::{Integers, Long, Short, Words, has_words, is_short, is_whole};
 use crate::arithmetic::{Bits, Each, Number, REGISTERS_ARE_WIDE, Soft, pick, three, turn};
 use crate::scalar::Scalar;
 use crate::shape::{AabbForm, Vec3};
@@ -28,6 +28,8 @@ pub(super) struct Units {
     up: [u32; 3],
     /// Whether [`Short`] holds everything. If not, [`Long`] does.
     pub(super) are_short: bool,
+    /// Whether [`Words`] hold axes and their half-extents.
+    are_words: bool,
 }
 
 /// What `with` makes of all places of two shapes, of their axes and of their half-extents.
@@ -61,12 +63,22 @@ impl Units {
     /// The units of a scalar that [`is_whole`](super::integers::is_whole), in [`Words`].
     pub(super) fn of_words<S: Scalar>() -> Self {
         let up = [S::ONE.shift.into(), 0, 0];
-        Self { places: 0, axes: 0, halves: 0, ends: 0, ones: 0, up, are_short: true }
+        Self {
+            places: 0,
+            axes: 0,
+            halves: 0,
+            ends: 0,
+            ones: 0,
+            up,
+            are_short: true,
+            are_words: true,
+        }
     }
 
-    /// The units, if the numbers are short enough, and the machine multiplies long words.
+    /// The units, if the numbers are short enough; on small cores, for a scalar that [`has_words`], in [`Words`].
+    #[cfg_attr(not(target_pointer_width = "64"), inline(never))]
     pub(super) fn new<S: Scalar>(bodies: &[Body<'_, S>; 2]) -> Option<Self> {
-        if !REGISTERS_ARE_WIDE {
+        if !REGISTERS_ARE_WIDE && !has_words::<S>() {
             return None;
         }
         let [places, axes, halves] =
@@ -83,6 +95,7 @@ impl Units {
         let width = places.width().max(axes.width()).max(halves.width());
         let are_short = width <= Short::WIDTH && reach < Short::REACH;
         let fits = are_short || width <= Long::WIDTH && reach < Long::REACH;
+        let are_words = are_short && axes.width().max(halves.width()) < 32;
         fits.then(|| Self {
             places: low(places),
             axes: low(axes),
@@ -91,6 +104,7 @@ impl Units {
             ones: one,
             up: up.each(i32::unsigned_abs),
             are_short,
+            are_words,
         })
     }
 
@@ -129,8 +143,9 @@ impl Units {
                     | AabbForm::Corners { min: p, max: q }) = aabb.form();
                     let (p, q) = (numbers::<N, S>(p, self.places), numbers::<N, S>(q, self.places));
                     let is_center = matches!(aabb.form(), AabbForm::Center { .. });
+                    let one = N::length(S::ONE, self.ones);
                     for i in 0..3 {
-                        sides[i][i] = N::length(S::ONE, self.ones);
+                        sides[i][i] = one;
                         (ends[0][i], halves[i]) = if is_center {
                             (p[i] + p[i], q[i] + q[i])
                         } else {
@@ -161,11 +176,21 @@ impl Units {
 
 #[inline(never)]
 fn numbers<N: Integers, S: Scalar>(v: &Vec3<S>, low: i32) -> [N::Length; 3] {
+    // Known to the compiler.
+    let low = if has_words::<S>() && is_whole::<S>() { 0 } else { low };
     let mut all = [N::Length::ZERO; 3];
     for (to, x) in all.iter_mut().zip(v.to_array()) {
         *to = N::length(x.parts(), low);
     }
     all
+}
+
+/// Fills in two shapes of a scalar that [`has_words`], if words hold them.
+pub(super) fn in_words<S: Scalar>(bodies: &[Body<'_, S>; 2], pair: &mut Pair<Words>) -> bool {
+    let units = if is_whole::<S>() { Some(Units::of_words::<S>()) } else { Units::new(bodies) };
+    let Some(units) = units.filter(|units| units.are_words) else { return false };
+    units.fill(bodies, pair);
+    is_whole::<S>() || pair.is_held()
 }
 
 /// Two shapes in integers.
@@ -183,7 +208,7 @@ pub(super) struct Pair<N: Integers> {
     /// How far ends are shifted up to the unit of positions along a direction.
     pub(super) up: u32,
     /// How far axes times half-extents are.
-    ups: [u32; 2],
+    pub(super) ups: [u32; 2],
     /// This unit.
     unit: i32,
 }
@@ -209,6 +234,23 @@ impl<N: Integers> Pair<N> {
         });
         let [x, y] = own.each(|(shape, _)| self.units[shape % 2]);
         Along { pair: self, direction, unit: x + y }
+    }
+}
+
+impl Pair<Words> {
+    /// Whether [`Words`] hold all numbers, of units that `are_words`.
+    pub(super) fn is_held(&self) -> bool {
+        let bits = |v: &[[i64; 3]]| {
+            let size = v.as_flattened().iter().fold(0, |all, &x| all | x.unsigned_abs());
+            64 - size.leading_zeros()
+        };
+        self.up < 63
+            && (0..2).all(|n| {
+                let [sides, ends] = [&self.sides[n], &self.ends[n]].each(|v| bits(v));
+                let halves = bits(&[self.halves[n]]);
+                let reach = if halves == 0 { 0 } else { sides + halves + self.ups[n] };
+                sides <= 32 && ends <= 33 && halves <= 32 && reach <= 86 && ends + self.up <= 87
+            })
     }
 }
 
