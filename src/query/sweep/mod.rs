@@ -12,6 +12,7 @@ mod motion;
 mod near;
 mod passing;
 mod rows;
+mod short;
 mod sphere;
 mod time;
 mod words;

@@ -4,7 +4,7 @@ use super::exact::ExactCourse;
 use super::kernel::Course;
 use super::latest::Instant;
 use super::time::{Meets, When};
-use super::{FirstContact, Motion, rows, words};
+use super::{FirstContact, Motion, rows, short, words};
 use crate::arithmetic::{
     Arithmetic, Each, Embeds, Float, InFloat, InWord, Number, REGISTERS_ARE_WIDE, Word,
 };
@@ -146,7 +146,7 @@ impl<S: Scalar> WordKernel<S> for Misses<'_, S> {
 impl<S: Scalar> Passing<'_, S> {
     #[inline]
     pub(super) fn meet(self) -> bool {
-        !S::evaluate(&Misses(self))
+        !short::misses(&self).unwrap_or_else(|| S::evaluate(&Misses(self)))
     }
 
     /// Whether the shapes have a point in common at the start. A body that rests on a surface is in doubt
@@ -165,8 +165,11 @@ impl<S: Scalar> Passing<'_, S> {
             Some(Instant::Unknown) if self.touches_at_start() => Some(FirstContact::default()),
             Some(Instant::Unknown) | None => {
                 let misses = Misses(self);
-                let is_miss =
-                    if S::IN_QUADS { S::without_quads(&misses) } else { S::evaluate(&misses) };
+                let is_miss = if S::IN_QUADS {
+                    S::without_quads(&misses)
+                } else {
+                    short::misses(&misses.0).unwrap_or_else(|| S::evaluate(&misses))
+                };
                 let passing = misses.0;
                 (!is_miss).then(|| S::evaluate_numeric(&Meets { passing, last: None }))
             }
@@ -223,8 +226,11 @@ impl<S: Scalar> Passing<'_, S> {
     pub(super) fn relation(self) -> Relation {
         let question = Misses(self);
         let passing = &question.0;
-        let is_miss =
-            if S::IN_QUADS { S::in_quads(&question) } else { Some(S::evaluate(&question)) };
+        let is_miss = if S::IN_QUADS {
+            S::in_quads(&question)
+        } else {
+            short::misses(passing).or_else(|| Some(S::evaluate(&question)))
+        };
         if is_miss.is_none() && passing.stays_in_touch() && passing.touches_at_start() {
             return Relation::Touching;
         }

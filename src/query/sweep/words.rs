@@ -78,8 +78,7 @@ impl<S: Scalar> Passing<'_, S> {
     {
         let [from, to] = self.ends();
         let d = minus(&words(&to), &words(&from));
-        let start = projections(self.triangle, self.aabb);
-        Swept { start, end: three(|i| start[i].moved(d[i])), d }
+        Swept::new(projections(self.triangle, self.aabb), d)
     }
 
     /// Whether differences from the box and from the motion's start that were wrapped are long.
@@ -94,20 +93,35 @@ impl<S: Scalar> Passing<'_, S> {
 }
 
 impl<W: Word> Swept<W> {
+    /// The shapes at the start, and the motion.
+    #[inline(always)]
+    pub(super) fn new(start: Shapes<W>, d: [W; 3]) -> Self {
+        Self { start, end: three(|i| start[i].moved(d[i])), d }
+    }
+
+    pub(super) fn way(&self) -> [W; 3] {
+        self.d
+    }
+
+    /// Whether the box has not shrunk to nothing.
+    pub(super) fn has_inside(&self) -> bool {
+        !Projection::is_void(&self.start)
+    }
+
     /// A number at least as long as each length, and less than twice as long as the longest.
     #[inline(always)]
-    fn longest(&self) -> W {
+    pub(super) fn longest(&self) -> W {
         Projection::longest(&self.start) | Projection::longest(&self.end)
     }
 
     #[inline(always)]
-    fn misses(&self) -> bool {
+    pub(super) fn misses(&self) -> bool {
         self.is_beyond_face() || self.is_beyond_slanted::<W::Sum>()
     }
 
     /// Whether a face of the box separates all the way.
     #[inline(always)]
-    fn is_beyond_face(&self) -> bool {
+    pub(super) fn is_beyond_face(&self) -> bool {
         self.start.iter().zip(&self.end).any(|(start, end)| {
             let ([a, b, c], [p, q, r], size) = (start.t, end.t, start.size);
             let is_above = (size - a) & (size - b) & (size - c);
