@@ -179,6 +179,12 @@ pub(crate) fn cut_to_words<S: FirstFloat, const K: usize>(
     (unit > 0).then_some((words, unit))
 }
 
+/// How many bits of a number in such units are below one.
+#[inline(always)]
+pub(crate) fn fraction_bits<S: FirstFloat>(unit: i32) -> i32 {
+    S::SeptumFirst::from(1).exponent() - unit
+}
+
 /// A scalar whose coordinates are numbers of the float `F`, up to a limit, or multiples of
 /// such by one power of two.
 pub(crate) trait InFloat<F>: Copy {

@@ -44,7 +44,9 @@ pub(crate) use enclosed::{compare_products, order_of_products, sign_of, sum_of};
 pub(crate) use ends::{enclosed, lost_in_row};
 pub use filtered::Filtered;
 pub use float::Float;
-pub(crate) use float::{FirstFloat, InFloat, cut_to_words, quotient, three_in_float};
+pub(crate) use float::{
+    FirstFloat, InFloat, cut_to_words, fraction_bits, quotient, three_in_float,
+};
 pub use full::{FullF32, FullF64};
 pub(crate) use index::{Each, cross3, dot3, minus3, pick, three, turn, two};
 #[cfg(feature = "fixed")]

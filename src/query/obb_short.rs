@@ -177,6 +177,11 @@ fn relation_of_boxes(
     relation(&way, &[a, b, c, e, f, g])
 }
 
+#[inline(always)]
+fn is_apart(way: &[i32; 3], half: &[[i32; 3]; 4]) -> Option<bool> {
+    relation(way, half).map(|found| found == Relation::Disjoint)
+}
+
 /// Whether a segment and an oriented box are disjoint; `None` in doubt.
 #[cfg_attr(not(target_pointer_width = "64"), inline(never))]
 pub(super) fn segment<S: Scalar + InRaw>(segment: &Segment<S>, obb: &Obb<S>) -> Option<bool> {
@@ -195,7 +200,7 @@ pub(super) fn segment<S: Scalar + InRaw>(segment: &Segment<S>, obb: &Obb<S>) -> 
     let unit = unit_of([first.end, second.end, spans.end], i32::MIN);
     let ([p], [q], [u, v, w]) = (first.cut(unit), second.cut(unit), spans.cut(unit));
     let (way, half) = if is_halved { middle_and_half(&p, &q) } else { (p, q) };
-    relation(&way, &[u, v, w, half]).map(|found| found == Relation::Disjoint)
+    is_apart(&way, &[u, v, w, half])
 }
 
 /// Whether a ray and an oriented box are disjoint; `None` in doubt.
@@ -222,7 +227,7 @@ fn is_ray_apart(way: &[i32; 3], [from, to]: [[i32; 3]; 2], spans: [[i32; 3]; 3])
     let (middle, half) = middle_and_half(&from, &to);
     let [u, v, w] = spans;
     let way = three(|i| way[i] + middle[i]);
-    relation(&way, &[u, v, w, half]).map(|found| found == Relation::Disjoint)
+    is_apart(&way, &[u, v, w, half])
 }
 
 /// The vectors from the origin of a ray to its ends, in units of two to the `unit`. The vector

@@ -5,7 +5,7 @@
 //! a cascade escalates.
 
 use super::predicate::{Backend, Clue, Numeric, Predicate};
-use crate::arithmetic::{Embeds, Filtered, Float, InFloat, REGISTERS_ARE_WIDE};
+use crate::arithmetic::{Embeds, Filtered, Float, InFloat, REGISTERS_ARE_WIDE, cuts_floats};
 
 /// The first stage for questions whose answer is a number.
 #[inline(always)]
@@ -66,6 +66,12 @@ where
         return in_quads(p);
     }
     noted(p.filter::<Filtered<F>>())
+}
+
+/// The answer by cut numbers, of floats that functions compute.
+#[inline(always)]
+pub(crate) fn in_cut_floats<S: Backend, T>(answer: impl FnOnce() -> Option<T>) -> Option<T> {
+    if S::FLOAT.is_some() && cuts_floats::<S>() { noted(answer()) } else { None }
 }
 
 /// The answer in `F`, four at once, if the question has a kernel for that.

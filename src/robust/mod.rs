@@ -57,8 +57,8 @@ mod uncertain;
 #[cfg(all(test, feature = "fixed"))]
 pub(crate) use cascade::escalations;
 pub(crate) use cascade::{
-    Stage, exact_stage, in_floats, in_quads, integer_stage, note, noted, numeric_stage,
-    refined_stage,
+    Stage, exact_stage, in_cut_floats, in_floats, in_quads, integer_stage, note, noted,
+    numeric_stage, refined_stage,
 };
 #[cfg(feature = "fixed")]
 pub(crate) use cascade::{only_stage, stage};

@@ -23,8 +23,8 @@ use super::obb_short;
 use super::triangle_obb::exact::InSums;
 use super::triangle_obb::{has_second_look, operands, way};
 use crate::arithmetic::{Each, Embeds, Float, InFloat, Number, Parts};
-use crate::arithmetic::{InRaw, REGISTERS_ARE_WIDE, SMALL_CODE, cuts_floats};
-use crate::robust::{Predicate, Profile, Vector, difference, noted, single};
+use crate::arithmetic::{InRaw, REGISTERS_ARE_WIDE, SMALL_CODE};
+use crate::robust::{Predicate, Profile, Vector, difference, in_cut_floats, noted, single};
 use crate::scalar::{FixedBackend, Scalar};
 use crate::shape::{Obb, Ray, Segment, SegmentForm};
 
@@ -120,9 +120,7 @@ impl<S: Scalar> Disjoint<'_, S> {
             Line::Ray(ray) => obb_short::floats::ray(ray, self.obb),
             Line::Segment(segment) => obb_short::floats::segment(segment, self.obb),
         };
-        let is_cut = S::FLOAT.is_some() && cuts_floats::<S>();
-        let found = if is_cut { noted(cut()) } else { None };
-        found.unwrap_or_else(|| S::evaluate(self))
+        in_cut_floats::<S, _>(cut).unwrap_or_else(|| S::evaluate(self))
     }
 }
 

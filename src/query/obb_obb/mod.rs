@@ -17,10 +17,10 @@ use super::orientation::Vector;
 use super::relation::{Asked, Relate, Relation};
 use super::triangle_obb::{has_second_look, operands, way};
 use crate::arithmetic::{
-    Each, Embeds, Float, InFloat, Number, cuts_floats, greatest, largest, of_two, once, three,
+    Each, Embeds, Float, InFloat, Number, greatest, largest, of_two, once, three,
 };
 use crate::arithmetic::{REGISTERS_ARE_WIDE, Word};
-use crate::robust::{Numeric, Predicate, Profile, noted};
+use crate::robust::{Numeric, Predicate, Profile, in_cut_floats, noted};
 use crate::scalar::{FixedBackend, Scalar};
 use crate::shape::{Aabb, Obb};
 
@@ -89,21 +89,14 @@ impl<S: Scalar> Lie<'_, S> {
         all_axes(&boxes, &error, N::CERTAIN, looks_twice)
     }
 
-    /// The relation by cut numbers, for floats that functions compute; `None` in doubt.
-    #[inline(always)]
-    fn in_cut_floats(&self) -> Option<Relation> {
-        if S::FLOAT.is_none() || !cuts_floats::<S>() {
-            return None;
-        }
-        noted(match self.first {
-            First::Obb(first) => obb_short::floats::boxes(first, self.second),
-            First::Aabb(first) => obb_short::floats::aabb_and_obb(first, self.second),
-        })
-    }
-
+    /// The relation. Floats that functions compute begin with cut numbers.
     #[inline(always)]
     fn relation(&self) -> Relation {
-        self.in_cut_floats().unwrap_or_else(|| S::evaluate_numeric(self))
+        let cut = || match self.first {
+            First::Obb(first) => obb_short::floats::boxes(first, self.second),
+            First::Aabb(first) => obb_short::floats::aabb_and_obb(first, self.second),
+        };
+        in_cut_floats::<S, _>(cut).unwrap_or_else(|| S::evaluate_numeric(self))
     }
 }
 

@@ -8,10 +8,10 @@
 //! direction and t make 2^-9 each. `obb_short.g` proves the sums.
 
 use super::{
-    LENGTH, Scaled, between, bits, is_ray_apart, middle_and_half, products, relation,
+    LENGTH, Scaled, between, bits, is_apart, is_ray_apart, middle_and_half, products,
     relation_of_boxes, unit_of,
 };
-use crate::arithmetic::{Each, Float, Raw, cut_to_words, greatest, three};
+use crate::arithmetic::{Each, Raw, cut_to_words, fraction_bits, greatest, three};
 use crate::query::relation::Relation;
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, Obb, Ray, Segment};
@@ -23,7 +23,7 @@ const SPARE: i32 = 13;
 #[inline(never)]
 fn spans<S: Scalar>(axes: &[[S; 3]; 3], half: [i32; 3]) -> Option<(Scaled<3>, i32)> {
     let (axes, unit) = cut_to_words(axes)?;
-    let fraction = S::SeptumFirst::from(1).exponent() - unit;
+    let fraction = fraction_bits::<S>(unit);
     let axes = Scaled::new(axes.each(in_raw), -fraction);
     let longer = greatest(axes.end, 0);
     Some((products(in_raw(half), axes.numbers, fraction), longer))
@@ -76,7 +76,7 @@ pub(in crate::query) fn segment<S: Scalar>(segment: &Segment<S>, obb: &Obb<S>) -
     let unit = unit_of([first.end, second.end, spans.end], longer + SPARE);
     let ([p], [q], [u, v, w]) = (first.cut(unit), second.cut(unit), spans.cut(unit));
     let (way, half) = if is_by_center { (p, q) } else { middle_and_half(&p, &q) };
-    relation(&way, &[u, v, w, half]).map(|found| found == Relation::Disjoint)
+    is_apart(&way, &[u, v, w, half])
 }
 
 /// Whether a ray and an oriented box are disjoint; `None` in doubt.
@@ -90,11 +90,10 @@ pub(in crate::query) fn ray<S: Scalar>(ray: &Ray<S>, obb: &Obb<S>) -> Option<boo
     let (spans, longer) = spans(&[u, v, w], half)?;
     let reach = greatest(way.end, spans.end + 2) + 1;
     let unit = greatest(reach + 2 - LENGTH, longer + SPARE);
-    let one = S::SeptumFirst::from(1).exponent();
     let t = |t: Option<S>| match t {
         Some(t) if t != S::ZERO => {
             let ([[t, ..]], of_t) = cut_to_words(&[[t; 3]])?;
-            Some(Some((i64::from(t), one + of_lengths - of_t - of_way)))
+            Some(Some((i64::from(t), fraction_bits::<S>(of_t + of_way - of_lengths))))
         }
         Some(_) => Some(Some((0, 0))),
         None => Some(None),

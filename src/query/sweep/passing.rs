@@ -11,7 +11,7 @@ use crate::arithmetic::{
 use crate::query::relation::{Relate, Relation};
 use crate::query::triangle_aabb::frame::{BoxForm, Frame};
 use crate::query::triangle_aabb::touches_face;
-use crate::robust::{Predicate, Profile, WordKernel, in_exact_numbers};
+use crate::robust::{Predicate, Profile, WordKernel, in_cut_floats, in_exact_numbers};
 use crate::scalar::{FixedBackend, Scalar};
 use crate::shape::{Aabb, AabbForm, Triangle, Vec3};
 
@@ -96,6 +96,14 @@ impl<N: Arithmetic> Given<N> {
 /// Does the triangle miss the box?
 pub(super) struct Misses<'a, S>(pub(super) Passing<'a, S>);
 
+impl<S: Scalar> Misses<'_, S> {
+    /// The answer. Floats that functions compute begin with cut numbers.
+    #[inline(always)]
+    fn answer(&self) -> bool {
+        in_cut_floats::<S, _>(|| short::misses(&self.0)).unwrap_or_else(|| S::evaluate(self))
+    }
+}
+
 impl<S: Scalar> Predicate<S> for Misses<'_, S> {
     type Answer = bool;
 
@@ -146,7 +154,7 @@ impl<S: Scalar> WordKernel<S> for Misses<'_, S> {
 impl<S: Scalar> Passing<'_, S> {
     #[inline]
     pub(super) fn meet(self) -> bool {
-        !short::misses(&self).unwrap_or_else(|| S::evaluate(&Misses(self)))
+        !Misses(self).answer()
     }
 
     /// Whether the shapes have a point in common at the start. A body that rests on a surface is in doubt
@@ -165,11 +173,7 @@ impl<S: Scalar> Passing<'_, S> {
             Some(Instant::Unknown) if self.touches_at_start() => Some(FirstContact::default()),
             Some(Instant::Unknown) | None => {
                 let misses = Misses(self);
-                let is_miss = if S::IN_QUADS {
-                    S::without_quads(&misses)
-                } else {
-                    short::misses(&misses.0).unwrap_or_else(|| S::evaluate(&misses))
-                };
+                let is_miss = if S::IN_QUADS { S::without_quads(&misses) } else { misses.answer() };
                 let passing = misses.0;
                 (!is_miss).then(|| S::evaluate_numeric(&Meets { passing, last: None }))
             }
@@ -226,11 +230,7 @@ impl<S: Scalar> Passing<'_, S> {
     pub(super) fn relation(self) -> Relation {
         let question = Misses(self);
         let passing = &question.0;
-        let is_miss = if S::IN_QUADS {
-            S::in_quads(&question)
-        } else {
-            short::misses(passing).or_else(|| Some(S::evaluate(&question)))
-        };
+        let is_miss = if S::IN_QUADS { S::in_quads(&question) } else { Some(question.answer()) };
         if is_miss.is_none() && passing.stays_in_touch() && passing.touches_at_start() {
             return Relation::Touching;
         }

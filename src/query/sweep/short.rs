@@ -16,22 +16,16 @@
 
 use super::Passing;
 use super::words::Swept;
-use crate::arithmetic::{Each, Word, cut_to_words, cuts_floats, greatest, three};
+use crate::arithmetic::{Each, Word, cut_to_words, greatest, three};
 use crate::query::one_sided::Projection;
-use crate::robust::noted;
 use crate::scalar::Scalar;
 
 /// Units.
 const ERROR: i32 = 7;
 
-/// Whether the triangle misses the box; `None` in doubt, and of all scalars but floats that functions compute.
-#[inline(always)]
-pub(super) fn misses<S: Scalar>(passing: &Passing<'_, S>) -> Option<bool> {
-    if S::FLOAT.is_some() && cuts_floats::<S>() { noted(of_cut(passing)) } else { None }
-}
-
+/// Whether the triangle misses the box; `None` in doubt.
 #[inline(never)]
-fn of_cut<S: Scalar>(passing: &Passing<'_, S>) -> Option<bool> {
+pub(super) fn misses<S: Scalar>(passing: &Passing<'_, S>) -> Option<bool> {
     let ([a, b, c], (p, q, by_center)) = (passing.triangle.points(), passing.aabb.numbers());
     let [from, to] = passing.ends().each(|p| p.to_array());
     let (words, _) = cut_to_words(&[a, b, c, p, q, from, to])?;
@@ -64,7 +58,7 @@ fn of_cut<S: Scalar>(passing: &Passing<'_, S>) -> Option<bool> {
 
 #[cfg(test)]
 mod tests {
-    use super::of_cut;
+    use super::misses;
     use crate::arithmetic::{Each, three};
     use crate::query::sweep::passing::Misses;
     use crate::query::sweep::{Motion, Passing};
@@ -111,7 +105,7 @@ mod tests {
             ] {
                 let aabb = aabb.unwrap();
                 let passing = Passing::new(&triangle, &aabb, &motion);
-                if let Some(found) = of_cut(&passing) {
+                if let Some(found) = misses(&passing) {
                     let expected = Misses(passing).exact();
                     assert_eq!(found, expected, "{triangle:?} {motion:?} {aabb:?}");
                     answers[usize::from(found)] += 1;

@@ -30,9 +30,9 @@ use super::relation::Relation;
 use super::{Axis, Overlaps};
 use crate::arithmetic::{
     Embeds, Float, InFloat, InWord, Int64OfFloats, OfFour, OneType, Quad, REGISTERS_ARE_WIDE,
-    Rounded, Word, cuts_floats, is_software,
+    Rounded, Word, is_software,
 };
-use crate::robust::{Predicate, Profile, WordKernel, in_exact_numbers, in_floats, noted};
+use crate::robust::{Predicate, Profile, WordKernel, in_cut_floats, in_exact_numbers, in_floats};
 use crate::scalar::{FixedBackend, Scalar};
 use crate::shape::{Aabb, AabbForm, Near, Triangle, Vec3};
 
@@ -52,17 +52,14 @@ impl<S: Scalar> Disjoint<'_, S> {
     /// The answer from cut coordinates, if they are certain of it.
     #[inline(always)]
     fn in_short_words(&self) -> Option<bool> {
-        if Self::ARE_CUT { noted(short::disjoint(self.triangle, self.aabb)) } else { None }
+        in_cut_floats::<S, _>(|| short::disjoint(self.triangle, self.aabb))
     }
 
     /// How the shapes lie to each other, likewise.
     #[inline(always)]
     fn relation_in_short_words(&self) -> Option<Relation> {
-        if Self::ARE_CUT { noted(short::relation(self.triangle, self.aabb)) } else { None }
+        in_cut_floats::<S, _>(|| short::relation(self.triangle, self.aabb))
     }
-
-    /// Whether coordinates are cut to words first: floats that functions compute, but not in small code.
-    const ARE_CUT: bool = S::FLOAT.is_some() && cuts_floats::<S>();
 
     /// Whether `N` holds the shapes.
     #[inline(always)]

@@ -8,8 +8,8 @@
 use super::Disjoint;
 use super::known::{Known, WholeBox};
 use super::short::{OF_FLOATS, are_disjoint};
-use crate::arithmetic::{Float, cut_to_words, cuts_floats, greatest, three};
-use crate::robust::noted;
+use crate::arithmetic::{cut_to_words, fraction_bits, greatest, three};
+use crate::robust::in_cut_floats;
 use crate::scalar::Scalar;
 
 /// The bits that are cut of a length.
@@ -47,10 +47,7 @@ impl<S: Scalar> Disjoint<'_, S> {
     /// The answer from cut numbers, if they are certain of it, for floats that functions compute.
     #[inline(always)]
     pub(super) fn in_cut_floats(&self) -> Option<bool> {
-        if S::FLOAT.is_none() || !cuts_floats::<S>() {
-            return None;
-        }
-        noted(self.of_cut_floats())
+        in_cut_floats::<S, _>(|| self.of_cut_floats())
     }
 
     #[inline(never)]
@@ -58,7 +55,7 @@ impl<S: Scalar> Disjoint<'_, S> {
         let ([a, b, c], [center, u, v, w, half]) = (self.triangle.points(), self.obb.numbers());
         let ([a, b, c, center, half], _) = cut_to_words(&[a, b, c, center, half])?;
         let (axes, unit) = cut_to_words(&[u, v, w])?;
-        let fraction_bits = S::SeptumFirst::from(1).exponent() - unit;
+        let fraction_bits = fraction_bits::<S>(unit);
         let obb = InWords { axes, half, fraction_bits };
         let from = |p: [i32; 3]| three(|i| p[i] - center[i]);
         // Half-extents absorb the scale of the axes.
