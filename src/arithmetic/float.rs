@@ -3,7 +3,7 @@
 use core::ops::Mul;
 
 use super::number::{Number, greatest};
-use super::parts::{Bits, Parts, scaled};
+use super::parts::{Bits, Parts, multiple, scaled};
 use super::platform::REGISTERS_ARE_WIDE;
 use super::portion::enclosing;
 use super::quad::OfFour;
@@ -183,6 +183,12 @@ pub(crate) fn cut_to_words<S: FirstFloat, const K: usize>(
 #[inline(always)]
 pub(crate) fn fraction_bits<S: FirstFloat>(unit: i32) -> i32 {
     S::SeptumFirst::from(1).exponent() - unit
+}
+
+/// Whether a number is a multiple of 2^`unit`, and below 2^52 of them.
+#[inline(always)]
+pub(crate) fn is_whole<S: FirstFloat>(x: S, unit: i32) -> bool {
+    multiple(x.first().into(), unit).is_some()
 }
 
 /// A scalar whose coordinates are numbers of the float `F`, up to a limit, or multiples of

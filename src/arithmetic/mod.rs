@@ -45,7 +45,7 @@ pub(crate) use ends::{enclosed, lost_in_row};
 pub use filtered::Filtered;
 pub use float::Float;
 pub(crate) use float::{
-    FirstFloat, InFloat, cut_to_words, fraction_bits, quotient, three_in_float,
+    FirstFloat, InFloat, cut_to_words, fraction_bits, is_whole, quotient, three_in_float,
 };
 pub use full::{FullF32, FullF64};
 pub(crate) use index::{Each, cross3, dot3, minus3, pick, three, turn, two};

@@ -12,11 +12,11 @@
 //! motion. Relative to the least corner, a vertex is off by less than five units at any time, and the greatest
 //! corner by less than two: together less than [`ERROR`], as `short.g` proves. Then all numbers are rounded
 //! down to multiples of 2^`down`, which moves a vertex by less than two of these, and the greatest corner by less than
-//! one.
+//! one. On a grid nothing is lost, and the answer is exact.
 
 use super::Passing;
 use super::words::Swept;
-use crate::arithmetic::{Each, Word, cut_to_words, greatest, three};
+use crate::arithmetic::{Each, Word, cut_to_words, fraction_bits, greatest, is_whole, three};
 use crate::query::one_sided::Projection;
 use crate::scalar::Scalar;
 
@@ -28,7 +28,8 @@ const ERROR: i32 = 7;
 pub(super) fn misses<S: Scalar>(passing: &Passing<'_, S>) -> Option<bool> {
     let ([a, b, c], (p, q, by_center)) = (passing.triangle.points(), passing.aabb.numbers());
     let [from, to] = passing.ends().each(|p| p.to_array());
-    let (words, _) = cut_to_words(&[a, b, c, p, q, from, to])?;
+    let all = [a, b, c, p, q, from, to];
+    let (words, unit) = cut_to_words(&all)?;
     // A bit less, for the sums.
     let [a, b, c, p, q, from, to] = words.map(|v| v.each(|x| x >> 1));
     let shapes = three(|i| {
@@ -53,7 +54,11 @@ pub(super) fn misses<S: Scalar>(passing: &Passing<'_, S>) -> Option<bool> {
     if shrunk.has_inside() && !shrunk.misses() {
         return Some(false);
     }
-    grown.misses().then_some(true)
+    if grown.misses() {
+        return Some(true);
+    }
+    let unit = 1 + down as i32 - fraction_bits::<S>(unit);
+    all.as_flattened().iter().all(|&x| is_whole(x, unit)).then(|| at(0).misses())
 }
 
 #[cfg(test)]

@@ -13,7 +13,7 @@
 //! numbers are rounded down to multiples of 2^`down`, which moves a vertex and the greatest corner by less than
 //! one of these each. On a grid nothing is lost, and the answer is exact.
 
-use crate::arithmetic::{Word, cut_to_words, fraction_bits, greatest, multiple, three};
+use crate::arithmetic::{Word, cut_to_words, fraction_bits, greatest, is_whole, three};
 use crate::query::one_sided::{self, Projection, are_disjoint, are_disjoint_within};
 use crate::query::relation::Relation;
 use crate::scalar::Scalar;
@@ -67,10 +67,9 @@ fn answer<S: Scalar, T>(
     let found = are_disjoint_within(&mut shapes, by).map(of);
     found.or_else(|| {
         let unit = down - fraction_bits::<S>(unit);
-        let is_whole = |x: &S| multiple(x.first().into(), unit).is_some();
         // The shapes are the grown ones.
         change(&mut shapes, -by);
-        all.as_flattened().iter().all(is_whole).then(|| of_whole(&shapes))
+        all.as_flattened().iter().all(|&x| is_whole(x, unit)).then(|| of_whole(&shapes))
     })
 }
 
