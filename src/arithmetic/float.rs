@@ -1,6 +1,6 @@
 //! `f32` and `f64` as numbers of a kernel, and scalars whose coordinates a float holds.
 
-use core::ops::Mul;
+use core::ops::{Div, Mul};
 
 use super::number::{Number, greatest};
 use super::parts::{Bits, Parts, multiple, scaled};
@@ -10,7 +10,9 @@ use super::quad::OfFour;
 use super::soft::Soft;
 
 /// A binary floating-point type of IEEE 754.
-pub trait Float: Number + OfFour + Mul<Output = Self> + From<u16> + Into<f64> + 'static {
+pub trait Float:
+    Number + OfFour + Mul<Output = Self> + Div<Output = Self> + From<u16> + Into<f64> + 'static
+{
     /// One half.
     const HALF: Self;
     /// u: half the distance from 1 to the next number.
@@ -84,7 +86,7 @@ macro_rules! float {
             }
             #[inline(always)]
             fn portion(self, den: Self, [error, other]: [Self; 2]) -> [Soft; 2] {
-                enclosing(self.into(), den.into(), [error.into(), other.into()])
+                enclosing(self, den, [error, other])
             }
         }
 

@@ -4,6 +4,7 @@
 //! again, to the scalar, therefore equals one that was rounded once. Rounding also keeps order: the
 //! greatest rounded quotient is the greatest quotient, rounded.
 
+use super::float::Float;
 use super::limbs::{Limbs, Wide, divided_by_places};
 use super::soft::Soft;
 
@@ -12,16 +13,17 @@ use super::soft::Soft;
 /// Each bound carries the roundings of a difference, a sum and a quotient: 3u of itself, to first
 /// order. 8u are allowed, so 5 remain for the roundings of the bounds and for second orders.
 #[inline(always)]
-pub(super) fn enclosing(num: f64, den: f64, [num_error, den_error]: [f64; 2]) -> [Soft; 2] {
-    const ROUNDINGS: f64 = 4.0 * f64::EPSILON;
-    let lower = (num - num_error) / (den + den_error) * (1.0 - ROUNDINGS);
+pub(super) fn enclosing<F: Float>(num: F, den: F, [num_error, den_error]: [F; 2]) -> [Soft; 2] {
+    let (zero, one, roundings) = (F::ZERO, F::from(1), F::from(8) * F::ROUNDOFF);
+    let lower = (num - num_error) / (den + den_error) * (one - roundings);
     let least = den - den_error;
-    let upper = (num + num_error) / least * (1.0 + ROUNDINGS);
-    let lower = if lower > f64::MIN_POSITIVE { Soft::of_normal(lower) } else { Soft::ZERO };
+    let upper = (num + num_error) / least * (one + roundings);
+    let soft = |x: F| Soft::of_normal(x.into());
+    let lower = if lower > F::UNDERFLOW { soft(lower) } else { Soft::ZERO };
     // A NaN counts as outside.
-    let is_known = (least > 0.0) & (upper < 1.0);
-    let upper = if upper < f64::MIN_POSITIVE { f64::MIN_POSITIVE } else { upper };
-    [lower, if is_known { Soft::of_normal(upper) } else { Soft::ONE }]
+    let is_known = (least > zero) & (upper < one);
+    let upper = if upper < F::UNDERFLOW { F::UNDERFLOW } else { upper };
+    [lower, if is_known { soft(upper) } else { Soft::ONE }]
 }
 
 /// The quotient of two numbers above zero in a register. The first is not the greater.

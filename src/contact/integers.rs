@@ -5,14 +5,17 @@ use core::mem::size_of;
 
 use super::exact::Size;
 use crate::arithmetic::{
-    BigInt, Each, I256, Number, Parts, REGISTERS_ARE_WIDE, Soft, compare, of_four, product, three,
+    BigInt, Each, I256, Number, Parts, REGISTERS_ARE_WIDE, SMALL_CODE, Soft, compare, of_four,
+    product, three,
 };
 use crate::scalar::Scalar;
 
 /// Whether [`Words`] may hold the numbers of a scalar, on a core that computes `f64` by functions. Such a
-/// contact has its direction without `f64` and without long sums.
+/// contact has its direction without `f64` and without long sums. A contact in floats links both; in small code
+/// it has the long sums alone.
 pub(super) const fn has_words<S: Scalar>() -> bool {
-    !REGISTERS_ARE_WIDE && size_of::<S>() <= size_of::<u32>()
+    let is_served = S::FLOAT.is_none() || !SMALL_CODE;
+    !REGISTERS_ARE_WIDE && size_of::<S>() <= size_of::<u32>() && is_served
 }
 
 /// Whether they hold all numbers of a scalar.

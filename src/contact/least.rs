@@ -82,10 +82,10 @@ pub(super) fn exact_in_words<S: Scalar>(
     best: &mut (Way, Lengths),
 ) -> Option<Result<bool, Apart>> {
     let mut pair = Pair::NONE;
-    in_words(bodies, &mut pair).then(|| least_in_words(bodies, &pair, is_normal, best))
+    in_words(bodies, &mut pair).then(|| least_of_pair(bodies, &pair, is_normal, best))
 }
 
-fn least_in_words<S: Scalar>(
+fn least_of_pair<S: Scalar>(
     bodies: &[Body<'_, S>; 2],
     pair: &Pair<Words>,
     is_normal: bool,
@@ -150,35 +150,42 @@ pub(super) fn least_exact<S: Scalar>(
 /// Floats select which of up to 30 ways may be the least, and nearly always know the numbers of a
 /// single one. Exact numbers decide between several ways, and whether the shapes overlap at all.
 pub(super) fn least_measures<S: Scalar>(bodies: &[Body<'_, S>; 2]) -> Option<Directed<S>> {
-    least(bodies, None, false, |(way, lengths)| {
+    let measured = |(way, lengths): &(Way, Lengths)| {
         let measures = lengths.measures(way.is_along);
         Directed { unit: [0.0; 3], depth: f64::INFINITY, measures, way: *way }
-    })
+    };
+    let mut best = (Way::NONE, Lengths::NONE);
+    if let Some(is_found) = found_in_words(bodies, false, &mut best) {
+        return is_found.then(|| measured(&best));
+    }
+    let rough = in_floats(bodies);
+    least_in_floats(bodies, &rough, false, measured)
 }
 
-/// The same by words or by floats, whose way has a unit vector if `has_unit`. `numbers` makes it of exact numbers.
+/// Whether words find a translation, if they hold the shapes.
 #[inline(always)]
-fn least<S: Scalar>(
+fn found_in_words<S: Scalar>(
     bodies: &[Body<'_, S>; 2],
-    rough: Option<&[Rough; 2]>,
+    is_normal: bool,
+    best: &mut (Way, Lengths),
+) -> Option<bool> {
+    if !has_words::<S>() {
+        return None;
+    }
+    let is_found = exact_in_words(bodies, is_normal, best);
+    // So that the rest is not linked.
+    let is_found = if is_whole::<S>() { is_found.unwrap_or(Ok(false)) } else { is_found? };
+    Some(is_found.unwrap_or(false))
+}
+
+/// The least way by floats, which have a unit vector if `has_unit`.
+#[inline(always)]
+fn least_in_floats<S: Scalar>(
+    bodies: &[Body<'_, S>; 2],
+    rough: &[Rough; 2],
     has_unit: bool,
     numbers: impl Fn(&(Way, Lengths)) -> Directed<S>,
 ) -> Option<Directed<S>> {
-    if has_words::<S>() {
-        let mut best = (Way::NONE, Lengths::NONE);
-        let is_found = exact_in_words(bodies, false, &mut best);
-        if is_whole::<S>() || is_found.is_some() {
-            return is_found?.ok()?.then(|| numbers(&best));
-        }
-    }
-    let own;
-    let rough = match rough {
-        Some(rough) => rough,
-        None => {
-            own = in_floats(bodies);
-            &own
-        }
-    };
     let filter = Filter::new::<S>(rough);
     let wanted = Wanted::new(bodies, &filter).ok()?;
     from_floats(&filter, &wanted, bodies, has_unit).or_else(|| {
@@ -224,7 +231,19 @@ pub(super) fn least_way<S: Scalar>(
     rough: Option<&[Rough; 2]>,
     interior: InteriorEdges,
 ) -> Option<Directed<S>> {
-    let best = least(bodies, rough, true, directed);
+    let best = match rough {
+        Some(rough) => least_in_floats(bodies, rough, true, directed),
+        None => {
+            let mut best = (Way::NONE, Lengths::NONE);
+            match found_in_words(bodies, false, &mut best) {
+                Some(is_found) => is_found.then(|| directed(&best)),
+                None if has_words::<S>() => {
+                    least_in_floats(bodies, &in_floats(bodies), true, directed)
+                }
+                None => None,
+            }
+        }
+    };
     if interior == InteriorEdges::NONE {
         return best;
     }
@@ -238,17 +257,15 @@ pub(super) fn least_way<S: Scalar>(
         return Some(best);
     }
     let mut normal = (Way::NONE, Lengths::NONE);
-    let is_found = match rough {
-        Some(rough) => exact(bodies, &Filter::new::<S>(rough), &Wanted::FACE, &mut normal),
-        None => match exact_in_words(bodies, true, &mut normal) {
-            Some(is_found) => is_found,
-            None if is_whole::<S>() => Ok(false),
-            None => {
-                exact(bodies, &Filter::new::<S>(&in_floats(bodies)), &Wanted::FACE, &mut normal)
-            }
-        },
+    let along_normal = |rough: &[Rough; 2], normal: &mut (Way, Lengths)| {
+        exact(bodies, &Filter::new::<S>(rough), &Wanted::FACE, normal).unwrap_or(false)
     };
-    let mut normal = is_found.ok()?.then(|| directed(&normal))?;
+    let is_found = match (rough, found_in_words(bodies, true, &mut normal)) {
+        (Some(rough), _) => along_normal(rough, &mut normal),
+        (None, Some(is_found)) => is_found,
+        (None, None) => along_normal(&in_floats(bodies), &mut normal),
+    };
+    let mut normal = is_found.then(|| directed(&normal))?;
     normal.way.is_held = true;
     Some(if is_across.is_none() { best } else { normal })
 }

@@ -174,7 +174,9 @@ pub use self::pairs::{ContactWith, Shape};
 /// to one number each. Along a coordinate axis the depth is a sum that `f64` seldom rounds. If there is still a
 /// doubt, it takes three exact coordinates, at most six signs and one exact depth
 /// for each direction that is left, in integers of up to 256 bits, or in exact sums if 60 bits do
-/// not hold the coordinates; and a root and seven quotients of 64 bits.
+/// not hold the coordinates; and a root and seven quotients of 64 bits. On 32-bit cores half words begin,
+/// and integers of up to 128 bits follow: in fixed point of up to 32 bits, and in `f32` where 31 bits hold the
+/// axes, the half-extents and what places differ by, each in a unit of its own.
 ///
 /// A sphere or a capsule first asks whether it overlaps. On hosts, in scalars of up to 32 bits, `f64`
 /// with bounds, or double words where a depth nearly cancels, then have the numbers of a centre or

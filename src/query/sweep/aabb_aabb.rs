@@ -3,7 +3,7 @@
 
 #[cfg(feature = "fixed")]
 use super::Moving;
-use super::latest::Latest;
+use super::latest::{Closings, Latest};
 use super::{FirstContact, Motion, Sweep};
 #[cfg(feature = "fixed")]
 use crate::arithmetic::IntNear;

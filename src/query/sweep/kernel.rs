@@ -17,7 +17,7 @@
 
 use super::FirstContact;
 use super::error_bound::{Along, AtStart, FACE, along, at_start};
-use super::latest::{Closing, Last, Latest, closing_time};
+use super::latest::{Closing, Closings, Last, Later, Latest, closing_time};
 use crate::arithmetic::{
     Arithmetic, Each, Number, cross, dot, following, greatest, least, of_two, once, out_of_line,
     pick,
@@ -221,8 +221,21 @@ impl<N: Arithmetic> Course<N> {
     /// When and on which axis the triangle meets the box, if it does and `N` decides it.
     #[inline(always)]
     pub(super) fn first_contact<S: Scalar>(&self) -> Option<FirstContact<S>> {
-        let error: AtStart<N> = at_start(self.frame.size_along(&self.d))?;
         let mut latest = Latest::<S>::NONE;
+        self.add_closings(&mut latest)?;
+        latest.known()
+    }
+
+    /// The axis that closes last, if the triangle meets the box and `N` decides it.
+    pub(super) fn last(&self) -> Option<Last> {
+        let mut later = Later::NONE;
+        self.add_closings(&mut later)?;
+        later.last()
+    }
+
+    #[inline(always)]
+    fn add_closings(&self, latest: &mut impl Closings) -> Option<()> {
+        let error: AtStart<N> = at_start(self.frame.size_along(&self.d))?;
         for i in 0..3 {
             latest.add(Axis::Face(i as u8), self.closing_face(i));
         }
@@ -235,7 +248,7 @@ impl<N: Arithmetic> Course<N> {
                 apart_if_large::<N>(|| latest.add(axis, self.closing_edge(i, k, n, &error)));
             }
         }
-        latest.known()
+        Some(())
     }
 
     /// The same, given the axis that closes last.

@@ -124,8 +124,9 @@ pub trait Sweep<Other> {
     /// box. A triangle and a box take 111 multiplications, unless a face separates them all the
     /// way. If they meet, the query takes fewer, and five quotients of four floats at once. Two
     /// boxes take 12 multiplications and no division. On 32-bit cores fixed point of up to 32 bits has
-    /// a kernel of its own for a triangle and a box (`docs/target.csv`). Floats within rounding of
-    /// contact are decided in wider numbers, at last in exact integers.
+    /// a kernel of its own for a triangle and a box (`docs/target.csv`), and floats that functions
+    /// compute are cut to words first. Floats within rounding of contact are decided in wider numbers, at last
+    /// in exact integers.
     ///
     /// *Source*: separating axes of sums of convex sets (Gottschalk, Lin and Manocha 1996, for
     /// boxes). Ours: the motion as one more edge, the error bounds and the exact stages.
@@ -147,8 +148,8 @@ pub trait Sweep<Other> {
     /// point on 32-bit cores and of 64 bits, and within rounding of a number, these are exact
     /// integers. Other shapes that meet take one of the axes again in `f64`, and two divisions. A
     /// result in `f64` takes that axis in 106 digits, and one in fixed point of 64 bits a division
-    /// of integers. On 32-bit cores, and where two axes close at about the same time, every axis
-    /// with a gap is computed, each with a division.
+    /// of integers. Where two axes close at about the same time, and on 32-bit cores, every axis with a gap is
+    /// computed, each with a division; but not in `f32` that no function computes.
     #[doc(alias = "time of impact")]
     #[doc(alias = "continuous collision")]
     #[must_use]

@@ -7,6 +7,7 @@ use super::time::{Meets, When};
 use super::{FirstContact, Motion, rows, short, words};
 use crate::arithmetic::{
     Arithmetic, Each, Embeds, Float, InFloat, InWord, Number, REGISTERS_ARE_WIDE, Word,
+    cuts_floats, is_software,
 };
 use crate::query::relation::{Relate, Relation};
 use crate::query::triangle_aabb::frame::{BoxForm, Frame};
@@ -164,6 +165,20 @@ impl<S: Scalar> Passing<'_, S> {
         self.triangle.overlaps(self.aabb)
     }
 
+    /// What is known of the time of shapes that meet, where functions compute `f64`: without `f64` whether they
+    /// touch at the start; and the axis that closes last, if no function computes the scalar.
+    #[inline(always)]
+    fn instant(&self) -> Instant {
+        if S::FLOAT.is_none() || !cuts_floats::<f64>() {
+            return Instant::Unknown;
+        }
+        if self.touches_at_start() {
+            return Instant::AtStart;
+        }
+        let instant = if is_software::<S>() { None } else { S::evaluate_bounded(&When(self)) };
+        instant.unwrap_or_default()
+    }
+
     pub(super) fn first_contact(self) -> Option<FirstContact<S>> {
         let instant = if S::IN_QUADS { S::in_quads(&When(&self)) } else { None };
         match instant {
@@ -175,7 +190,15 @@ impl<S: Scalar> Passing<'_, S> {
                 let misses = Misses(self);
                 let is_miss = if S::IN_QUADS { S::without_quads(&misses) } else { misses.answer() };
                 let passing = misses.0;
-                (!is_miss).then(|| S::evaluate_numeric(&Meets { passing, last: None }))
+                if is_miss {
+                    return None;
+                }
+                let last = match passing.instant() {
+                    Instant::AtStart => return Some(FirstContact::default()),
+                    Instant::Meets(last) => last,
+                    _ => None,
+                };
+                Some(S::evaluate_numeric(&Meets { passing, last }))
             }
         }
     }

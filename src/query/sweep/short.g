@@ -19,5 +19,3 @@ Corner2 = q - p;                      CORNER2 = Q - P;
 
 Time - TIME -> ((a - A) - ((p - P) - (q - Q))) + m * ((g - G) - (f - F));
 Time2 - TIME2 -> ((a - A) - (p - P)) + m * ((g - G) - (f - F));
-Corner - CORNER -> (q - Q) + (q - Q);
-Corner2 - CORNER2 -> (q - Q) - (p - P);

@@ -30,35 +30,47 @@ pub(super) fn misses<S: Scalar>(passing: &Passing<'_, S>) -> Option<bool> {
     let [from, to] = passing.ends().each(|p| p.to_array());
     let all = [a, b, c, p, q, from, to];
     let (words, unit) = cut_to_words(&all)?;
+    let are_whole = |down: i32| {
+        let unit = down - fraction_bits::<S>(unit);
+        all.as_flattened().iter().all(|&x| is_whole(x, unit))
+    };
+    in_words(words, by_center, &are_whole)
+}
+
+/// The same, given the numbers cut, and whether nothing is lost of any if so many bits are.
+#[inline(never)]
+fn in_words(
+    words: [[i32; 3]; 7],
+    by_center: bool,
+    are_whole: &dyn Fn(i32) -> bool,
+) -> Option<bool> {
     // A bit less, for the sums.
     let [a, b, c, p, q, from, to] = words.map(|v| v.each(|x| x >> 1));
-    let shapes = three(|i| {
+    let start = three(|i| {
         let (min, size) = if by_center { (p[i] - q[i], q[i] + q[i]) } else { (p[i], q[i] - p[i]) };
         Projection::new(min, size, [a[i], b[i], c[i]])
     });
-    let swept = Swept::new(shapes, three(|i| to[i] - from[i]));
+    let d = three(|i| to[i] - from[i]);
     // One bit less than the range, for what the box grows by.
-    let down = swept.longest().bits() + 1 - <i32 as Word>::RANGE as i32;
+    let down = Swept::new(start, d).longest().bits() + 1 - <i32 as Word>::RANGE as i32;
     let down = greatest(down, 0) as u32;
     let by = (ERROR >> down) + 3;
-    let at = |by: i32| {
-        let shapes = three(|i| shapes[i].over(down).grown(by));
-        Swept::new(shapes, swept.way().each(|x| x >> down))
-    };
-    let grown = at(by);
-    if grown.is_beyond_face() {
+    let at = |by: i32| Swept::new(three(|i| start[i].over(down).grown(by)), d.each(|x| x >> down));
+    if at(by).is_beyond_face() {
         return Some(true);
     }
-    let shrunk = at(-by);
-    // A box thinner than the error has no inside left.
-    if shrunk.has_inside() && !shrunk.misses() {
-        return Some(false);
+    for by in [-by, by, 0] {
+        if by == 0 && !are_whole(down as i32 + 1) {
+            break;
+        }
+        let changed = at(by);
+        // A box thinner than the error has no inside left.
+        let misses = !changed.has_inside() || changed.misses();
+        if by == 0 || misses == (by > 0) {
+            return Some(misses);
+        }
     }
-    if grown.misses() {
-        return Some(true);
-    }
-    let unit = 1 + down as i32 - fraction_bits::<S>(unit);
-    all.as_flattened().iter().all(|&x| is_whole(x, unit)).then(|| at(0).misses())
+    None
 }
 
 #[cfg(test)]

@@ -14,8 +14,9 @@ pub(super) struct When<'a, 'b, S>(pub(super) &'b Passing<'a, S>);
 impl<S: Scalar> Predicate<S> for When<'_, '_, S> {
     type Answer = Instant;
 
+    /// Of shapes that meet.
     fn filter<N: Embeds<S>>(&self) -> Option<Instant> {
-        None
+        Some(Instant::Meets(self.0.course::<N>()?.last()))
     }
 
     const PROFILE: Profile = Profile::QUADS;

@@ -78,7 +78,8 @@ impl<S: Scalar> Passing<'_, S> {
     {
         let [from, to] = self.ends();
         let d = minus(&words(&to), &words(&from));
-        Swept::new(projections(self.triangle, self.aabb), d)
+        let start = projections(self.triangle, self.aabb);
+        Swept { start, end: three(|i| start[i].moved(d[i])), d }
     }
 
     /// Whether differences from the box and from the motion's start that were wrapped are long.
@@ -97,10 +98,6 @@ impl<W: Word> Swept<W> {
     #[inline(always)]
     pub(super) fn new(start: Shapes<W>, d: [W; 3]) -> Self {
         Self { start, end: three(|i| start[i].moved(d[i])), d }
-    }
-
-    pub(super) fn way(&self) -> [W; 3] {
-        self.d
     }
 
     /// Whether the box has not shrunk to nothing.

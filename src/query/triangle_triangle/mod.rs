@@ -26,8 +26,9 @@ impl<S: Scalar> Predicate<S> for Lie<'_, S> {
 
     #[inline]
     fn filter<N: Embeds<S>>(&self) -> Option<Relation> {
-        let [first, second] = self.points::<N>()?;
-        match clear_sides::<N>(&first, &second) {
+        let points = self.points::<N>()?;
+        let (first, second) = (points.first_chunk()?, points.last_chunk()?);
+        match clear_sides::<N>(first, second) {
             Err(Some(relation)) => Some(relation),
             sides => self.across_plane::<N>(sides.ok()),
         }
@@ -36,10 +37,9 @@ impl<S: Scalar> Predicate<S> for Lie<'_, S> {
 
 impl<S: Scalar> Lie<'_, S> {
     #[inline(always)]
-    fn points<N: Embeds<S>>(&self) -> Option<[[[N::Length; 3]; 3]; 2]> {
+    fn points<N: Embeds<S>>(&self) -> Option<[[N::Length; 3]; 6]> {
         let ([a, b, c], [d, e, f]) = (self.first.points(), self.second.points());
-        let [a, b, c, d, e, f] = N::embed(&[a, b, c, d, e, f])?;
-        Some([[a, b, c], [d, e, f]])
+        N::embed(&[a, b, c, d, e, f])
     }
 
     /// The answer for a first triangle that is not beyond the plane of the second, with the signs
@@ -47,14 +47,19 @@ impl<S: Scalar> Lie<'_, S> {
     /// and then needs no point in memory.
     #[inline(never)]
     fn across_plane<N: Embeds<S>>(&self, sides: Option<[i8; 3]>) -> Option<Relation> {
-        let [first, second] = self.points::<N>()?;
-        let settled = sides.and_then(|sides| crossing::<N>(&first, &second, sides));
+        let points = self.points::<N>()?;
+        let (first, second) = (points.first_chunk()?, points.last_chunk()?);
+        let settled = sides.and_then(|sides| crossing::<N>(first, second, sides));
         if settled.is_some() {
             return settled;
         }
         // In floats, most doubts are shared vertices, or triangles side by side in one plane.
-        in_doubt::<N>(&first, &second, self.asked)
-            .or_else(|| is_beyond::<N>(&second, &first).then_some(Relation::Disjoint))
+        let found = in_doubt::<N>(first, second, self.asked);
+        // There is an answer.
+        if N::CERTAIN {
+            return found;
+        }
+        found.or_else(|| is_beyond::<N>(second, first).then_some(Relation::Disjoint))
     }
 }
 
