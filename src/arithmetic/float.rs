@@ -5,7 +5,6 @@ use core::ops::{Div, Mul};
 use super::number::{Number, greatest};
 use super::parts::{Bits, Parts, multiple, scaled};
 use super::platform::REGISTERS_ARE_WIDE;
-use super::portion::enclosing;
 use super::quad::OfFour;
 use super::soft::Soft;
 
@@ -161,6 +160,24 @@ pub(crate) fn quotient<F: Float, const L: usize>(
     let (magnitude, exponent) = soft(num).quotient(soft(den));
     let x = F::scaled(magnitude, exponent);
     if is_negative != is_other_negative { -x } else { x }
+}
+
+/// Two numbers that enclose num/den, given the errors of num and den.
+///
+/// Each bound carries the roundings of a difference, a sum and a quotient: 3u of itself, to first
+/// order. 8u are allowed, so 5 remain for the roundings of the bounds and for second orders.
+#[inline(always)]
+fn enclosing<F: Float>(num: F, den: F, [num_error, den_error]: [F; 2]) -> [Soft; 2] {
+    let (zero, one, roundings) = (F::ZERO, F::from(1), F::from(8) * F::ROUNDOFF);
+    let lower = (num - num_error) / (den + den_error) * (one - roundings);
+    let least = den - den_error;
+    let upper = (num + num_error) / least * (one + roundings);
+    let soft = |x: F| Soft::of_normal(x.into());
+    let lower = if lower > F::UNDERFLOW { soft(lower) } else { Soft::ZERO };
+    // A NaN counts as outside.
+    let is_known = (least > zero) & (upper < one);
+    let upper = if upper < F::UNDERFLOW { F::UNDERFLOW } else { upper };
+    [lower, if is_known { soft(upper) } else { Soft::ONE }]
 }
 
 /// The bits of the greatest number that is [`cut_to_words`].

@@ -4,27 +4,8 @@
 //! again, to the scalar, therefore equals one that was rounded once. Rounding also keeps order: the
 //! greatest rounded quotient is the greatest quotient, rounded.
 
-use super::float::Float;
 use super::limbs::{Limbs, Wide, divided_by_places};
 use super::soft::Soft;
-
-/// Two numbers that enclose num/den, given the errors of num and den.
-///
-/// Each bound carries the roundings of a difference, a sum and a quotient: 3u of itself, to first
-/// order. 8u are allowed, so 5 remain for the roundings of the bounds and for second orders.
-#[inline(always)]
-pub(super) fn enclosing<F: Float>(num: F, den: F, [num_error, den_error]: [F; 2]) -> [Soft; 2] {
-    let (zero, one, roundings) = (F::ZERO, F::from(1), F::from(8) * F::ROUNDOFF);
-    let lower = (num - num_error) / (den + den_error) * (one - roundings);
-    let least = den - den_error;
-    let upper = (num + num_error) / least * (one + roundings);
-    let soft = |x: F| Soft::of_normal(x.into());
-    let lower = if lower > F::UNDERFLOW { soft(lower) } else { Soft::ZERO };
-    // A NaN counts as outside.
-    let is_known = (least > zero) & (upper < one);
-    let upper = if upper < F::UNDERFLOW { F::UNDERFLOW } else { upper };
-    [lower, if is_known { soft(upper) } else { Soft::ONE }]
-}
 
 /// The quotient of two numbers above zero in a register. The first is not the greater.
 #[inline(always)]

@@ -188,6 +188,12 @@ impl<S: Scalar> Body<'_, S> {
     }
 }
 
+/// The shapes in floats, relative to the origin of the second.
+#[inline(always)]
+pub(super) fn in_floats<S: Scalar>(bodies: &[Body<'_, S>; 2]) -> [Rough; 2] {
+    [bodies[0].rough(&bodies[1], 1.0), bodies[1].rough(&bodies[1], 1.0)]
+}
+
 /// x·scale, which fixed point has no need of.
 pub(super) fn scaled<S: Scalar>(x: f64, scale: f64) -> f64 {
     if S::FLOAT.is_none() { x } else { x * scale }

@@ -1,5 +1,5 @@
 //! Bounds on the overlap along each direction in half words: for cores where floats are functions, and
-//! scalars that are integers of a few words. A product takes one instruction, and no sum a second word.
+//! shapes whose numbers are integers of a few words. A product takes one instruction, and no sum a second word.
 
 use core::cmp::Ordering;
 

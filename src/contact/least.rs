@@ -2,7 +2,7 @@
 
 use core::cmp::Ordering;
 
-use super::body::{Body, Rough, Vec64, cross, dot};
+use super::body::{Body, Rough, Vec64, cross, dot, in_floats};
 use super::cut::{Cut, Rounded};
 use super::directions::{Apart, Direction, all, sides_of_all};
 use super::exact::{Exact, Given, Sums, length};
@@ -11,7 +11,6 @@ use super::integers::{Long, Short, Words, has_words, is_whole};
 use super::measures::{Directed, Lengths, Way};
 use super::mesh::InteriorEdges;
 use super::on_axis::on_axis;
-use super::pairs::in_floats;
 use super::settled::settled;
 use super::wanted::{FACE, Wanted};
 use super::whole::{Pair, Units, in_words};

@@ -130,8 +130,8 @@ pub(super) fn on_axis<S: Scalar>(
 mod tests {
     extern crate std;
 
+    use super::super::body::in_floats;
     use super::super::directions::sides_of_all;
-    use super::super::pairs::in_floats;
     use super::super::tests::{Draw, check};
     use super::super::wanted::Wanted;
     use super::super::{Shape, body::Rough};

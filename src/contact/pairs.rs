@@ -1,6 +1,6 @@
 //! The pairs of shapes that have contacts, and the contacts of those with flat faces.
 
-use super::body::{Body, Flat, Rough, Round};
+use super::body::{Body, Flat, Rough, Round, in_floats};
 use super::integers::has_words;
 use super::least::{least_measures, least_way};
 use super::measures::Directed;
@@ -193,10 +193,4 @@ fn with_points<S: Scalar>(
     let features = translation.features;
     let points = points(bodies, &bodies[1].origin(), rough, best, features);
     Contact { translation, is_held: way.is_held, points }
-}
-
-/// The shapes in floats, relative to the origin of the second.
-#[inline(always)]
-pub(super) fn in_floats<S: Scalar>(bodies: &[Body<'_, S>; 2]) -> [Rough; 2] {
-    [bodies[0].rough(&bodies[1], 1.0), bodies[1].rough(&bodies[1], 1.0)]
 }

@@ -3,7 +3,7 @@
 
 use std::format;
 
-use super::body::{Body, Flat, Rough, Round};
+use super::body::{Body, Flat, Rough, Round, in_floats};
 use super::cut::{Cut, Rounded};
 use super::directions::{Direction, all};
 use super::exact::{Exact, Given, Size, length};
@@ -11,7 +11,6 @@ use super::integers::has_words;
 use super::least::{Numbers, exact_in_words, least_exact, least_way};
 use super::measures::{Directed, Lengths, Measures, Way};
 use super::mesh::InteriorEdges;
-use super::pairs::in_floats;
 use super::solid::Solid;
 use super::view::View;
 use super::wanted::Wanted;

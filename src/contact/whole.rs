@@ -1,5 +1,5 @@
 //! The exact numbers of a direction as integers: in 60 bits, as in most scenes, or in 250 bits, as
-//! for poses with residues of quarter turns; on small cores, in words of fixed point. The results equal
+//! for poses with residues of quarter turns; on small cores, in words. The results equal
 //! the [sums](super::exact::Sums) and take a fraction of the time.
 
 use core::cmp::Ordering;

@@ -1,5 +1,5 @@
 //! The first stage of floats on cores that compute them by functions: coordinates cut to a few bits, in words. It
-//! takes a seventh of the instructions of the kernel in floats.
+//! takes a tenth of the instructions of the kernel in floats.
 //!
 //! As without motion (`triangle_aabb::short`), a triangle that passes the box grown by g misses the true one, and
 //! one that meets the box shrunk by g meets it, if nothing is off by more than g in all at any time. Motions between
