@@ -149,7 +149,8 @@ pub trait Sweep<Other> {
     /// integers. Other shapes that meet take one of the axes again in `f64`, and two divisions. A
     /// result in `f64` takes that axis in 106 digits, and one in fixed point of 64 bits a division
     /// of integers. Where two axes close at about the same time, and on 32-bit cores, every axis with a gap is
-    /// computed, each with a division; but not in `f32` that no function computes.
+    /// computed, each with a division; `f32` with an FPU selects the last axis there too. Where functions
+    /// compute `f64`, floats first ask whether the shapes touch at the start.
     #[doc(alias = "time of impact")]
     #[doc(alias = "continuous collision")]
     #[must_use]
