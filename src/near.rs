@@ -65,7 +65,7 @@
 //! | triangle, oriented box | fixed point | `overlaps`, `may_overlap` |
 //! | mesh, box, oriented box, sphere or capsule | fixed point | `overlapping` of its tree (`Tree::near`) |
 //! | mesh, ray | fixed point | `first_hit`, `first_hit_where`, `is_hit`, `is_hit_with`, `hits_with` of its tree |
-//! | mesh, moving box (`Moving`) | fixed point | `first_contact`, `first_contact_where` of its tree, in integers of 64 bits |
+//! | mesh, moving box (`Moving`) | fixed point | `first_contact`, `first_contact_where`, `last_free` of its tree, in integers of 64 bits |
 //! | triangle, sphere or capsule | fixed point | `overlaps`, in integers of up to 128 bits |
 //!
 //! The answers are bit for bit the answers of the ordinary shapes, except that `may_overlap` of a ray or a

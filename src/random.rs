@@ -17,6 +17,20 @@ impl Random {
         (self.bits() >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
     }
 
+    /// A number from −1 to 1 of so many bits.
+    pub(crate) fn short(&mut self, bits: u32) -> f64 {
+        let whole = (self.bits() as i64) >> (64 - bits);
+        whole as f64 * 2_f64.powi(1 - bits as i32)
+    }
+
+    /// A triangle that contains this point, but for roundings, in such numbers.
+    pub(crate) fn triangle_across(&mut self, point: [f64; 3], bits: u32) -> [[f64; 3]; 3] {
+        let [u, v] = [(); 2].map(|()| [(); 3].map(|()| self.short(bits)));
+        let [s, t] = [(); 2].map(|()| self.short(bits).abs());
+        let at = |s: f64, t: f64| [0, 1, 2].map(|i: usize| point[i] + s * u[i] + t * v[i]);
+        [at(1.0, 0.0), at(-s, t), at(0.0, -1.0)]
+    }
+
     /// An integer from zero to n − 1.
     pub(crate) fn below(&mut self, n: u64) -> i64 {
         ((u128::from(self.bits()) * u128::from(n)) >> 64) as i64

@@ -10,7 +10,7 @@ use crate::shape::{Aabb, AabbForm, Vec3};
 
 /// A moving box on its way down the tree.
 pub(super) struct Moving<'a, S: Scalar, F> {
-    /// When the box meets another.
+    /// When the box meets another on its way.
     meets_at: F,
     motion: &'a Motion<S>,
     grid: &'a Grid<S>,
@@ -21,16 +21,12 @@ pub(super) struct Moving<'a, S: Scalar, F> {
     end: Option<S>,
 }
 
-/// A box anywhere.
-pub(super) fn moving_box<'a, S: Scalar>(
-    grid: &'a Grid<S>,
-    aabb: &'a Aabb<S>,
-    motion: &'a Motion<S>,
-) -> Moving<'a, S, impl Fn(&Aabb<S>) -> Option<S>> {
-    Moving::new(grid, aabb, motion, |cell| Some(aabb.first_contact(motion, cell)?.t))
+/// When a box anywhere meets another on its way.
+pub(super) fn meets_at<S: Scalar>(aabb: &Aabb<S>) -> impl Fn(&Motion<S>, &Aabb<S>) -> Option<S> {
+    |way, cell| Some(aabb.first_contact(way, cell)?.t)
 }
 
-impl<'a, S: Scalar, F: Fn(&Aabb<S>) -> Option<S>> Moving<'a, S, F> {
+impl<'a, S: Scalar, F: Fn(&Motion<S>, &Aabb<S>) -> Option<S>> Moving<'a, S, F> {
     pub(super) fn new(
         grid: &'a Grid<S>,
         aabb: &Aabb<S>,
@@ -62,7 +58,7 @@ impl<'a, S: Scalar, F: Fn(&Aabb<S>) -> Option<S>> Moving<'a, S, F> {
                 continue;
             }
             let cell = node.cell(k);
-            let first = (self.meets_at)(&self.grid.aabb(&cell));
+            let first = (self.meets_at)(self.motion, &self.grid.aabb(&cell));
             if first.is_none_or(|t| self.end.is_some_and(|end| t > end)) {
                 mask ^= 1 << k;
             }
@@ -100,7 +96,7 @@ fn places<S: Scalar>(grid: &Grid<S>, aabb: &Aabb<S>) -> Option<[[f64; 3]; 2]> {
     }
 }
 
-impl<S: Scalar, F: Fn(&Aabb<S>) -> Option<S>> Descend for Moving<'_, S, F> {
+impl<S: Scalar, F: Fn(&Motion<S>, &Aabb<S>) -> Option<S>> Descend for Moving<'_, S, F> {
     #[inline(always)]
     fn meets(&self, node: &Node) -> Met {
         if !S::IS_FAST {

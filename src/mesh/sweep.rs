@@ -5,7 +5,7 @@ use core::ops::ControlFlow;
 use super::boxes::is_before;
 use super::build::Leaves;
 use super::descent::{Descend, Met};
-use super::moving_box::{Moving, moving_box};
+use super::moving_box::{Moving, meets_at};
 use super::node::Node;
 use super::walk::descend;
 use super::{Index, Tree};
@@ -118,7 +118,7 @@ impl<S: Scalar, I: Index> Tree<'_, S, I> {
         accepts: impl FnMut(usize, &M::Contact) -> bool,
     ) -> Option<(usize, M::Contact)> {
         let bounds = shape.bounds()?;
-        let moving = moving_box(&self.grid, &bounds, motion);
+        let moving = Moving::new(&self.grid, &bounds, motion, meets_at(&bounds));
         self.first_met(moving, |triangle| shape.first_contact(motion, triangle), M::time, accepts)
     }
 
@@ -126,7 +126,7 @@ impl<S: Scalar, I: Index> Tree<'_, S, I> {
     #[inline(always)]
     pub(super) fn first_met<C: Copy>(
         &self,
-        moving: Moving<'_, S, impl Fn(&Aabb<S>) -> Option<S>>,
+        moving: Moving<'_, S, impl Fn(&Motion<S>, &Aabb<S>) -> Option<S>>,
         contact: impl Fn(&Triangle<S>) -> Option<C>,
         time: impl Fn(&C) -> S,
         mut accepts: impl FnMut(usize, &C) -> bool,
@@ -188,12 +188,26 @@ impl<S: Scalar, I: Index> Tree<'_, S, I> {
         motion: &Motion<S>,
     ) -> Option<(Vec3<S>, Option<usize>)> {
         let bounds = shape.bounds()?;
-        let is_blocked_by = |way: &Motion<S>, i: usize| {
-            shape.relation_along(way, &self.mesh.known(i)) == Relation::Overlapping
-        };
+        self.last_free_of(&bounds, motion, meets_at(&bounds), |way, triangle| {
+            shape.relation_along(way, triangle)
+        })
+    }
+
+    /// The same, given the box that encloses the shape, when that meets another box on its way, and the
+    /// relation of the shape on its way to a triangle.
+    #[inline(always)]
+    pub(super) fn last_free_of(
+        &self,
+        bounds: &Aabb<S>,
+        motion: &Motion<S>,
+        meets_at: impl Fn(&Motion<S>, &Aabb<S>) -> Option<S>,
+        relation: impl Fn(&Motion<S>, &Triangle<S>) -> Relation,
+    ) -> Option<(Vec3<S>, Option<usize>)> {
+        let is_blocked_by =
+            |way: &Motion<S>, i: usize| relation(way, &self.mesh.known(i)) == Relation::Overlapping;
         let blocker = |way: &Motion<S>| {
             let mut least: Option<usize> = None;
-            self.pass(moving_box(&self.grid, &bounds, way), |_, i| {
+            self.pass(Moving::new(&self.grid, bounds, way, &meets_at), |_, i| {
                 if least.is_none_or(|j| i < j) && is_blocked_by(way, i) {
                     least = Some(i);
                 }
@@ -217,7 +231,7 @@ impl<S: Scalar, I: Index> Tree<'_, S, I> {
     /// Visits the triangles whose boxes a moving box meets, roughly in the order in which it reaches
     /// them; on cores without floats all triangles of a leaf, because boxes cost too much there.
     #[inline(always)]
-    fn pass<'m, F: Fn(&Aabb<S>) -> Option<S>>(
+    fn pass<'m, F: Fn(&Motion<S>, &Aabb<S>) -> Option<S>>(
         &self,
         mut moving: Moving<'m, S, F>,
         mut visit: impl FnMut(&mut Moving<'m, S, F>, usize),

@@ -5,7 +5,7 @@ use core::ops::ControlFlow;
 use super::BoxTree;
 use crate::mesh::Index;
 use crate::mesh::descent::{Descend, Descent};
-use crate::mesh::moving_box::{Moving, moving_box};
+use crate::mesh::moving_box::{Moving, meets_at};
 use crate::mesh::walk::descend;
 use crate::query::{FirstContact, Motion, Sweep};
 use crate::scalar::Scalar;
@@ -79,7 +79,8 @@ impl<S: Scalar, I: Index> BoxTree<'_, S, I> {
                 first.t
             })
         };
-        self.pass(|| moving_box(&self.grid, aabb, motion), meet, Moving::limit);
+        let moving = || Moving::new(&self.grid, aabb, motion, meets_at(aabb));
+        self.pass(moving, meet, Moving::limit);
         best
     }
 

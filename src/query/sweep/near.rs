@@ -44,6 +44,13 @@ pub struct Moving<T, S> {
     motion: Motion<S>,
 }
 
+impl<T: Copy, S: Copy> Moving<T, S> {
+    /// The shape on a part of its way, all of whose places are near.
+    pub(crate) const fn along(&self, part: &Motion<S>) -> Self {
+        Self { shape: self.shape, motion: *part }
+    }
+}
+
 impl<T, S: Copy> Moving<T, S> {
     /// The shape at the start.
     #[must_use]

@@ -89,31 +89,22 @@ mod tests {
     fn answers<S: Scalar>(of: impl Fn(f64) -> S, bits: u32, questions: u32) -> [u32; 2] {
         let (mut random, mut answers) = (Random(0x5eed + u64::from(bits)), [0; 2]);
         for n in 0..questions {
-            let mut number = |bits: u32| {
-                let whole = (random.bits() as i64) >> (64 - bits);
-                whole as f64 * 2_f64.powi(1 - bits as i32)
-            };
             let (far, tiny) = ([0.0, 100.0][n as usize % 2], 2_f64.powi(-(n as i32 / 4 % 30)));
-            let [center, half] = [three(|_| far + number(bits)), three(|_| number(bits).abs())];
-            let mut at = [(); 3].each(|()| three(|_| far + 2.0 * number(bits)));
-            let way = three(|_| 4.0 * number(bits));
-            if n / 2 % 2 == 0 {
+            let mut number = || random.short(bits);
+            let [center, half] = [three(|_| far + number()), three(|_| number().abs())];
+            let (way, from) = (three(|_| 4.0 * number()), three(|_| far * number()));
+            let at = if n / 2 % 2 == 0 {
                 // Across a corner of the box, or a little beyond, at a time of the motion.
-                let [u, v] = [(); 2].each(|()| three(|_| number(bits)));
-                let t = number(bits).abs();
-                let corner = three(|i| center[i] + half[i] + tiny * number(bits) - t * way[i]);
-                let [r, s] = [number(bits).abs(), number(bits).abs()];
-                at = [
-                    three(|i| corner[i] + u[i]),
-                    three(|i| corner[i] - r * u[i] + s * v[i]),
-                    three(|i| corner[i] - v[i]),
-                ];
-            }
+                let t = number().abs();
+                let corner = three(|i| center[i] + half[i] + tiny * number() - t * way[i]);
+                random.triangle_across(corner, bits)
+            } else {
+                [(); 3].each(|()| three(|_| far + 2.0 * number()))
+            };
             let point = |p: [f64; 3]| p.each(&of);
             let [a, b, c] = at.each(point);
             let triangle = Triangle::new(a, b, c).unwrap();
             let (min, max) = (three(|i| center[i] - half[i]), three(|i| center[i] + half[i]));
-            let from = three(|_| far * number(bits));
             let to = three(|i| from[i] + way[i]);
             let motion = Motion::new(point(from), point(to)).unwrap();
             for aabb in [

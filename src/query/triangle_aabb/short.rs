@@ -96,24 +96,16 @@ mod tests {
         let mut random = Random(0x5047 + u64::from(bits));
         let mut answers = 0;
         for n in 0..questions {
-            let mut number = |bits: u32| {
-                let whole = (random.bits() as i64) >> (64 - bits);
-                whole as f64 * 2_f64.powi(1 - bits as i32)
-            };
             let (far, tiny) = ([0.0, 100.0][n as usize % 2], 2_f64.powi(-(n as i32 / 4 % 30)));
-            let [center, half] = [three(|_| far + number(bits)), three(|_| number(bits).abs())];
-            let mut at = [(); 3].each(|()| three(|_| far + 2.0 * number(bits)));
-            if n / 2 % 2 == 0 {
+            let mut number = || random.short(bits);
+            let [center, half] = [three(|_| far + number()), three(|_| number().abs())];
+            let at = if n / 2 % 2 == 0 {
                 // Across a corner of the box, or a little beyond.
-                let [u, v] = [(); 2].each(|()| three(|_| number(bits)));
-                let corner = three(|i| center[i] + half[i] + tiny * number(bits));
-                let [s, t] = [number(bits).abs(), number(bits).abs()];
-                at = [
-                    three(|i| corner[i] + u[i]),
-                    three(|i| corner[i] - s * u[i] + t * v[i]),
-                    three(|i| corner[i] - v[i]),
-                ];
-            }
+                let corner = three(|i| center[i] + half[i] + tiny * number());
+                random.triangle_across(corner, bits)
+            } else {
+                [(); 3].each(|()| three(|_| far + 2.0 * number()))
+            };
             let point = |p: [f64; 3]| p.each(&of);
             let [a, b, c] = at.each(point);
             let triangle = Triangle::new(a, b, c).unwrap();
