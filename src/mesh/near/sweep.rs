@@ -141,6 +141,7 @@ mod tests {
             }] += 1;
         }
         assert!(met > 300 && later > 100, "{met} {later}");
-        assert!(stops.iter().all(|&n| n > 50), "{stops:?}");
+        // Inside at the start, free to the end, blocked at the start, and on the way.
+        assert!(stops.iter().zip([200, 30, 5, 200]).all(|(&n, least)| n > least), "{stops:?}");
     }
 }
