@@ -17,14 +17,14 @@ mod cli;
 mod columns;
 mod costs;
 mod effect;
-#[path = "../voxelize/gltf.rs"]
+#[path = "../tools/voxelize/gltf.rs"]
 mod gltf;
 mod kind;
-#[path = "../voxelize/mesh.rs"]
+#[path = "../tools/voxelize/mesh.rs"]
 mod mesh;
 mod options;
 mod paste;
-#[path = "../voxelize/ply.rs"]
+#[path = "../tools/voxelize/ply.rs"]
 mod ply;
 mod prediction;
 mod question;

@@ -16,7 +16,7 @@
 //! and succeeds if both touch one. The table was made by:
 //!
 //! ```text
-//! cargo run --release --example quantise -- examples/keep_out/clamps.obj --whole \
+//! cargo quantise examples/keep_out/clamps.obj --whole \
 //!     > examples/keep_out/clamps.rs
 //! ```
 #![cfg_attr(target_os = "none", no_std, no_main)]

@@ -86,7 +86,6 @@ mod examples;
 mod voxel;
 mod voxel_lines;
 mod voxel_sets;
-mod voxelize;
 
 // The oracles themselves.
 mod oracle;

@@ -1,14 +1,10 @@
 //! The examples, run as a user runs them.
 
 mod keep_out;
-mod options;
-mod printing;
-mod quantise;
 #[rustfmt::skip]
 #[allow(dead_code, reason = "its tree is for others")]
 #[path = "../../../examples/assets/teapot.rs"]
 pub(crate) mod teapot;
-mod voxelize;
 mod walking;
 
 use septum_kit::Each;

@@ -1,9 +1,8 @@
-//! The example `quantise`: it detects whether a mesh is closed, and closes it.
+//! The program `quantise`: it detects whether a mesh is closed, and closes it.
 
-#[path = "../../../examples/quantise/solid.rs"]
+#[path = "../quantise/solid.rs"]
 mod solid;
 
-use septum_kit::Each;
 use std::fs;
 
 use solid::{Face, caps, open_edges, sort_into_parts};
@@ -38,11 +37,11 @@ fn is_oriented(faces: &[Face]) -> bool {
 #[test]
 fn the_table_in_flash_is_what_quantise_makes() {
     let [table, report] = printed("quantise", &["--close"], &directory("table"));
-    assert_eq!(table, include_str!("../../../examples/assets/teapot.rs"));
+    assert_eq!(table, include_str!("../../assets/teapot.rs"));
     assert!(report.contains("1044 faces") && report.contains("closed, parts: 4"), "{report}");
-    let clamps = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/keep_out/clamps.obj");
+    let clamps = concat!(env!("CARGO_MANIFEST_DIR"), "/../keep_out/clamps.obj");
     let [table, report] = printed("quantise", &[clamps, "--whole"], &directory("whole"));
-    assert_eq!(table, include_str!("../../../examples/keep_out/clamps.rs"));
+    assert_eq!(table, include_str!("../../keep_out/clamps.rs"));
     assert!(report.contains("1308 faces") && report.contains("closed, parts: 24"), "{report}");
 }
 
@@ -85,7 +84,7 @@ fn holes_of_every_shape_are_closed() {
 #[test]
 fn parts_share_no_edge() {
     // Two cuboids that share a vertex, with interleaved faces, and a separate face.
-    let second = CUBOID.map(|face| face.each(|i| i + 7));
+    let second = CUBOID.map(|face| face.map(|i| i + 7));
     let mut faces: Vec<Face> = CUBOID.into_iter().zip(second).flat_map(<[_; 2]>::from).collect();
     faces.push([20, 21, 22]);
     assert_eq!(sort_into_parts(&mut faces), [0..12, 12..24, 24..25]);
@@ -97,7 +96,7 @@ fn parts_share_no_edge() {
 #[test]
 fn degenerate_faces_leave_a_mesh_closed() {
     let merged = |i: usize| if i == 7 { 3 } else { i };
-    let faces = CUBOID.map(|face| face.each(merged));
+    let faces = CUBOID.map(|face| face.map(merged));
     assert!(open_edges(&faces).is_empty());
     assert!(faces.iter().any(|&[a, b, c]| a == b || b == c || c == a));
 }

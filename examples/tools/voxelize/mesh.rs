@@ -9,7 +9,7 @@ use crate::options::Up;
 use crate::{gltf, ply};
 
 /// The bundled mesh, embedded so that the program runs from any directory.
-const TEAPOT: &[u8] = include_bytes!("../assets/teapot.obj");
+const TEAPOT: &[u8] = include_bytes!("../../assets/teapot.obj");
 
 /// Triangles as read, every coordinate finite, y up.
 pub(crate) struct Mesh {

@@ -1,6 +1,5 @@
-//! The formats that the example reads and writes: all hold the same voxels, and the same mesh.
+//! The formats that the program reads and writes: all hold the same voxels, and the same mesh.
 
-use septum_kit::{Each, three};
 use std::collections::BTreeSet;
 use std::fs;
 use std::io::Write;
@@ -19,7 +18,7 @@ fn array(file: &[u8]) -> ([usize; 3], Voxels) {
     assert!(header.ends_with('\n') && header.contains("'descr': '|b1', 'fortran_order': True"));
     let (_, shape) = header.split_once("'shape': (").unwrap();
     let mut sides = shape.split([',', ')']).map(|n| n.trim().parse().unwrap());
-    let size @ [nx, ny, _] = [0; 3].each(|_| sides.next().unwrap());
+    let size @ [nx, ny, _] = [0; 3].map(|_| sides.next().unwrap());
     let bytes = &file[start..];
     assert_eq!(bytes.len(), size.iter().product::<usize>());
     let at = |i: usize| [i % nx, i / nx % ny, i / nx / ny];
@@ -34,7 +33,7 @@ fn bits(file: &[u8]) -> ([usize; 3], Voxels, [f64; 3], f64) {
         let line = header.lines().find(|line| line.starts_with(name)).unwrap();
         line.split(' ').skip(1).map(|x| x.parse().unwrap()).collect()
     };
-    let size @ [nx, ny, nz] = three(|i| numbers("size")[i] as usize);
+    let size @ [nx, ny, nz] = [0, 1, 2].map(|i| numbers("size")[i] as usize);
     let row = numbers("row_bytes")[0] as usize;
     assert_eq!(file.len() - start, row * ny * nz);
     let mut voxels = Voxels::new();
@@ -45,7 +44,7 @@ fn bits(file: &[u8]) -> ([usize; 3], Voxels, [f64; 3], f64) {
             voxels.insert([x, i / row % ny, i / row / ny]);
         }
     }
-    (size, voxels, three(|i| numbers("origin")[i]), numbers("edge")[0])
+    (size, voxels, [0, 1, 2].map(|i| numbers("origin")[i]), numbers("edge")[0])
 }
 
 /// Three formats hold the voxels of the model, along the axes of the file: also where z is up.
@@ -64,7 +63,7 @@ fn written_formats_agree() {
         let model: Voxels = desk
             .voxels(&arguments)
             .into_iter()
-            .map(|v| v.each(usize::from))
+            .map(|v| v.map(usize::from))
             .map(|[x, y, z]| if up == "y" { [x, z, size[2] - 1 - y] } else { [x, y, z] })
             .collect();
         assert_eq!(voxels, model, "{arguments}");
@@ -77,10 +76,10 @@ fn written_formats_agree() {
         for line in cubes.lines() {
             let words: Vec<&str> = line.split(' ').collect();
             if words[0] == "v" {
-                corners.push([1, 2, 3].each(|i| words[i].parse().unwrap()));
+                corners.push([1, 2, 3].map(|i| words[i].parse().unwrap()));
                 continue;
             }
-            let quad = [1, 2, 3, 4].each(|i| words[i].parse::<usize>().unwrap() - 1);
+            let quad = [1, 2, 3, 4].map(|i| words[i].parse::<usize>().unwrap() - 1);
             for i in 0..4 {
                 let (from, to) = (quad[i], quad[(i + 1) % 4]);
                 // Where four faces meet at an edge, it is twice there.
@@ -88,17 +87,18 @@ fn written_formats_agree() {
                     assert!(edges.insert((from, to, 0)) || edges.insert((from, to, 1)));
                 }
             }
-            let [a, b, c, _] = quad.each(|i| corners[i]);
-            let [u, v] = [three(|i| b[i] - a[i]), three(|i| c[i] - a[i])];
+            let [a, b, c, _] = quad.map(|i| corners[i]);
+            let [u, v] = [[0, 1, 2].map(|i| b[i] - a[i]), [0, 1, 2].map(|i| c[i] - a[i])];
             let normal = [0, 1, 2]
-                .each(|i| u[(i + 1) % 3] * v[(i + 2) % 3] - u[(i + 2) % 3] * v[(i + 1) % 3]);
+                .map(|i| u[(i + 1) % 3] * v[(i + 2) % 3] - u[(i + 2) % 3] * v[(i + 1) % 3]);
             volume += (0..3).map(|i| a[i] * normal[i]).sum::<f64>() / 3.0;
         }
         assert!(edges.is_empty(), "{arguments}");
         let expected = voxels.len() as f64 * edge.powi(3);
         assert!((volume / expected - 1.0).abs() < 1e-9, "{volume} {expected}");
         // In the units of the file: the mesh begins where the voxels begin.
-        let least = corners.iter().fold([f64::INFINITY; 3], |m, c| three(|i| m[i].min(c[i])));
+        let least =
+            corners.iter().fold([f64::INFINITY; 3], |m, c| [0, 1, 2].map(|i| m[i].min(c[i])));
         assert!((0..3).all(|i| (least[i] - origin[i]).abs() < 1e-9 && least[i].abs() < edge));
     }
 }
@@ -120,7 +120,7 @@ fn read_formats_agree() {
     };
     let text = head("ascii") + "0 0 0 255\n4 0 0 255\n0 3 1 255\n3 0 1 2\n";
     let [mut little, mut big] =
-        ["binary_little_endian", "binary_big_endian"].each(|f| head(f).into_bytes());
+        ["binary_little_endian", "binary_big_endian"].map(|f| head(f).into_bytes());
     for point in points {
         for x in point {
             little.extend(x.to_le_bytes());
@@ -166,7 +166,7 @@ fn read_formats_agree() {
         assert!(process.wait().unwrap().success(), "{name}");
         desk.succeed(&format!("{name} -r 8 -o file.vox"));
         let [by_input, by_file] =
-            ["in.vox", "file.vox"].each(|name| fs::read(desk.0.join(name)).unwrap());
+            ["in.vox", "file.vox"].map(|name| fs::read(desk.0.join(name)).unwrap());
         assert_eq!(by_input, by_file, "{name}");
     }
     for (from, to, says) in [

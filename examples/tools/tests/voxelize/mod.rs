@@ -1,4 +1,4 @@
-//! The example `voxelize`, run as a user runs it: its files, its counts, and its errors.
+//! The program `voxelize`, run as a user runs it: its files, its counts, and its errors.
 
 mod desk;
 mod formats;

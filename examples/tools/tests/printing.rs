@@ -1,9 +1,8 @@
-//! Fixed-point numbers that examples print read back as the same bits.
+//! Fixed-point numbers that `quantise` prints read back as the same bits.
 
 use super::{directory, printed};
-use septum_kit::three;
 
-const TEAPOT: &str = include_str!("../../../examples/assets/teapot.obj");
+const TEAPOT: &str = include_str!("../../assets/teapot.obj");
 
 /// The teapot's triangles as the file has them, in `f32`.
 fn triangles() -> Vec<[[f64; 3]; 3]> {
@@ -15,7 +14,7 @@ fn triangles() -> Vec<[[f64; 3]; 3]> {
     };
     let number = |word: &String| f64::from(word.parse::<f32>().unwrap());
     let vertices: Vec<[f64; 3]> =
-        of("v").iter().map(|words| three(|i| number(&words[i]))).collect();
+        of("v").iter().map(|words| [0, 1, 2].map(|i| number(&words[i]))).collect();
     let index = |word: &String| word.split('/').next().unwrap().parse::<usize>().unwrap() - 1;
     let fan = |words: &Vec<String>| {
         let corner = |i: usize| vertices[index(&words[i])];

@@ -1,7 +1,6 @@
-//! The example `voxelize`: the times that it reports, and the option to draw no picture. The folder
-//! `voxelize` beside this one tests the rest.
+//! The program `voxelize`: the times that it reports, and the option to draw no picture. The folder
+//! `voxelize` tests the rest.
 
-use septum_kit::Each;
 use std::fs;
 
 use super::{directory, printed};
@@ -9,7 +8,7 @@ use super::{directory, printed};
 /// The milliseconds in the line that begins with `name`, if there is one.
 fn milliseconds(report: &str, name: &str) -> Option<f64> {
     let line = report.lines().find(|line| line.starts_with(name))?;
-    let [number, unit] = [1, 2].each(|i| line.split_whitespace().nth(i).unwrap());
+    let [number, unit] = [1, 2].map(|i| line.split_whitespace().nth(i).unwrap());
     let factor = if unit.starts_with("ms") { 1.0 } else { 1000.0 };
     Some(number.parse::<f64>().unwrap() * factor)
 }
@@ -19,7 +18,7 @@ fn each_step_says_what_it_takes() {
     let directory = directory("times");
     let [report, _] = printed("voxelize", &["-r", "24", "-o", "a.png"], &directory);
     let [reading, voxelizing, drawing] =
-        ["reading", "voxelizing", "picture"].each(|name| milliseconds(&report, name).unwrap());
+        ["reading", "voxelizing", "picture"].map(|name| milliseconds(&report, name).unwrap());
     assert!(reading > 0.0 && voxelizing > 0.0, "{report}");
     assert!(drawing > voxelizing, "drawing takes far longer: {report}");
     assert!(report.contains("--no-picture"), "{report}");

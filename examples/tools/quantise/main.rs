@@ -1,7 +1,7 @@
 //! Brings a mesh to fixed point, as a table for flash.
 //!
 //! ```text
-//! cargo run --release --example quantise -- MESH --scalar i16f16 > table.rs
+//! cargo quantise MESH --scalar i16f16 > table.rs
 //! ```
 //!
 //! The table holds each vertex once, in raw bits, then the faces as indices, and the nodes of a
@@ -10,7 +10,7 @@
 //! whether the mesh is closed, goes to the error stream.
 
 #[allow(dead_code, reason = "shared with other examples")]
-#[path = "../shared/cli.rs"]
+#[path = "../../shared/cli.rs"]
 mod cli;
 #[path = "../voxelize/gltf.rs"]
 mod gltf;

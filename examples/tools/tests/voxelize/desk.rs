@@ -1,8 +1,7 @@
-//! Runs the example in a directory with files, and checks the results.
+//! Runs the program in a directory with files, and checks the results.
 
-use septum_kit::Each;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::{Command, Output};
 
 use dot_vox::DotVoxData;
@@ -12,10 +11,7 @@ pub(super) struct Desk(pub(super) PathBuf);
 
 impl Desk {
     pub(super) fn new(test: &str) -> Self {
-        let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("voxelize").join(test);
-        let _ = fs::remove_dir_all(&path);
-        fs::create_dir_all(&path).unwrap();
-        Self(path)
+        Self(crate::directory(&format!("voxelize-{test}")))
     }
 
     pub(super) fn write(&self, name: &str, content: impl AsRef<[u8]>) {
@@ -26,27 +22,13 @@ impl Desk {
         self.0.join(name).exists()
     }
 
-    /// Runs the example, which `cargo test` has built beside this test; builds it if only tests
-    /// were built.
     pub(super) fn run(&self, arguments: &str) -> Output {
         self.command(arguments).output().unwrap()
     }
 
     pub(super) fn command(&self, arguments: &str) -> Command {
-        let test = std::env::current_exe().unwrap();
-        let target = test.parent().and_then(Path::parent).unwrap();
-        let example = target
-            .join("examples")
-            .join("voxelize")
-            .with_extension(std::env::consts::EXE_EXTENSION);
-        if !example.exists() {
-            let mut build = Command::new(env!("CARGO"));
-            build.args(["build", "--quiet", "--example", "voxelize", "--target-dir"]);
-            build.arg(target.parent().unwrap()).current_dir(env!("CARGO_MANIFEST_DIR"));
-            assert!(build.status().unwrap().success());
-        }
-        let mut command = Command::new(example);
-        command.args(arguments.split_whitespace()).current_dir(&self.0);
+        let mut command = crate::command("voxelize", &self.0);
+        command.args(arguments.split_whitespace());
         command
     }
 
@@ -94,7 +76,7 @@ pub(super) fn cuboid([x0, y0, z0]: [i32; 3], [x1, y1, z1]: [i32; 3], before: i32
     }
     for quad in [[1, 2, 4, 3], [5, 6, 8, 7], [1, 2, 6, 5], [3, 4, 8, 7], [1, 3, 7, 5], [2, 4, 8, 6]]
     {
-        let [a, b, c, d] = quad.each(|i| i + before);
+        let [a, b, c, d] = quad.map(|i| i + before);
         obj += &format!("f {a} {b} {c} {d}\n");
     }
     obj

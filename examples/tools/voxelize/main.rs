@@ -1,19 +1,19 @@
 //! Voxelizes triangle meshes, the surface or also the inside, and draws the result.
 //!
 //! ```text
-//! cargo run --release --example voxelize
-//! cargo run --release --example voxelize -- cow.ply --resolution 256 --scalar i16f16 -o cow.vox
-//! cargo run --release --example voxelize -- - -o cow.npy -o cow.bits < cow.stl
-//! cargo run --release --example voxelize -- --solid --cut
-//! cargo run --release --example voxelize -- --method rows --compare published --scalar i16f16
-//! cargo run --release --example voxelize -- --no-picture   # a fraction of a second
-//! cargo run --release --example voxelize -- --help
+//! cargo voxelize
+//! cargo voxelize cow.ply --resolution 256 --scalar i16f16 -o cow.vox
+//! cargo voxelize - -o cow.npy -o cow.bits < cow.stl
+//! cargo voxelize --solid --cut
+//! cargo voxelize --method rows --compare published --scalar i16f16
+//! cargo voxelize --no-picture   # a fraction of a second
+//! cargo voxelize --help
 //! ```
 
 mod bits;
 mod camera;
 #[allow(dead_code, reason = "shared with other examples")]
-#[path = "../shared/cli.rs"]
+#[path = "../../shared/cli.rs"]
 mod cli;
 mod color;
 mod cubes;
