@@ -8,9 +8,6 @@
 //! Fails if the exact mode is ever wrong, or the conservative one misses an
 //! overlap.
 
-#[allow(dead_code, reason = "shared with other examples")]
-#[path = "../shared/cli.rs"]
-mod cli;
 mod measure;
 mod report;
 
@@ -21,12 +18,12 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::Parser;
-use cli::{any, valid};
 use fixed::types::{I4F4, I8F8, I16F16, I32F32};
 use measure::{Instance, Tally};
 use report::Row;
 use septum_kit::Set;
 use septum_kit::jobs::{on_all_cores, pieces};
+use septum_tools::cli::{self, any, valid};
 
 /// Counts wrong answers of every mode, on every scalar, on every set of cases.
 ///

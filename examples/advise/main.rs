@@ -11,21 +11,12 @@
 //! ```
 
 mod advice;
-#[allow(dead_code, reason = "shared with other examples")]
-#[path = "../shared/cli.rs"]
-mod cli;
 mod columns;
 mod costs;
 mod effect;
-#[path = "../tools/voxelize/gltf.rs"]
-mod gltf;
 mod kind;
-#[path = "../tools/voxelize/mesh.rs"]
-mod mesh;
 mod options;
 mod paste;
-#[path = "../tools/voxelize/ply.rs"]
-mod ply;
 mod prediction;
 mod question;
 mod race;
@@ -38,29 +29,23 @@ mod tests;
 mod verdict;
 
 use std::error::Error;
-use std::io::Write;
 use std::path::Path;
 use std::process::ExitCode;
 
 use costs::Costs;
-use mesh::Mesh;
-use options::{Options, Up};
+use options::Options;
 use question::Question;
 use scene::Scene;
+use septum_tools::cli;
+use septum_tools::mesh::{Mesh, Up};
 use survey::{Plan, Survey};
 
 fn main() -> ExitCode {
-    match run(&cli::read()) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            eprintln!("error: {error}");
-            ExitCode::FAILURE
-        }
-    }
+    cli::run(run)
 }
 
 fn run(options: &Options) -> Result<(), Box<dyn Error>> {
-    say(&consult(options)?)
+    cli::say(&consult(options)?)
 }
 
 fn consult(options: &Options) -> Result<String, Box<dyn Error>> {
@@ -74,12 +59,4 @@ fn consult(options: &Options) -> Result<String, Box<dyn Error>> {
     let plan = Plan { target: options.target, sample, full: options.full, costs: &costs };
     let survey = Survey::of(&scene, &plan);
     Ok(report::write(&mesh.name, options, &scene, &survey, &costs))
-}
-
-/// Prints. A closed pipe is no error.
-fn say(text: &str) -> Result<(), Box<dyn Error>> {
-    match std::io::stdout().write_all(text.as_bytes()) {
-        Err(e) if e.kind() != std::io::ErrorKind::BrokenPipe => Err(e.into()),
-        _ => Ok(()),
-    }
 }

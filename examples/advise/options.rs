@@ -4,8 +4,7 @@ use std::num::NonZeroU32;
 use std::path::PathBuf;
 
 use clap::{Parser, ValueEnum};
-
-use crate::cli::{any, valid};
+use septum_tools::cli::{any, valid};
 
 /// Recommends a number type for a scene, and shows what each type costs.
 ///
@@ -102,11 +101,4 @@ pub(crate) enum Target {
     M4f,
     /// RV32IMC, as ESP32-C3 and CH32V; instructions come from a table
     Rv32,
-}
-
-/// The axis of a mesh that points up. This example does not turn meshes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Up {
-    Y,
-    Z,
 }

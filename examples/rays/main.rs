@@ -9,9 +9,6 @@
 //! Fails if an exact method is ever wrong, lets a ray through, or returns a t with a larger error
 //! than documented. Also fails if `hit_once` counts a wall twice.
 
-#[allow(dead_code, reason = "shared with other examples")]
-#[path = "../shared/cli.rs"]
-mod cli;
 mod leaks;
 mod measure;
 mod report;
@@ -23,12 +20,12 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::Parser;
-use cli::{any, valid};
 use fixed::types::{I8F8, I16F16, I32F32};
 use leaks::LeakRow;
 use measure::{Instance, SetRow};
 use septum_kit::jobs::{on_all_cores, pieces};
 use septum_kit::rays::{Aim, RaySet, Scene};
+use septum_tools::cli::{self, any, valid};
 
 /// Counts wrong answers about rays and triangles, and leaks through closed meshes.
 ///

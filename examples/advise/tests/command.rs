@@ -4,8 +4,8 @@ use std::fs;
 use std::path::Path;
 
 use clap::Parser;
+use septum_tools::cli::one_line;
 
-use crate::cli::one_line;
 use crate::options::Options;
 
 use super::{folder, scaled};

@@ -12,16 +12,14 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use clap::Parser;
+use septum_tools::mesh::{Mesh, Triangles, Up};
 
 use crate::advice::{Row, recommend};
 use crate::costs::Costs;
-use crate::mesh::Mesh;
-use crate::options::{Options, Up};
+use crate::options::Options;
 use crate::question::Question;
 use crate::scene::Scene;
 use crate::survey::{Plan, Survey};
-
-type Triangles = Vec<[[f64; 3]; 3]>;
 
 /// A folder for one test, empty at its start.
 fn folder(test: &str) -> PathBuf {

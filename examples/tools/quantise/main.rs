@@ -9,16 +9,7 @@
 //! over all parts with `--whole`; only a closed mesh has an inside. A report on rounding, and on
 //! whether the mesh is closed, goes to the error stream.
 
-#[allow(dead_code, reason = "shared with other examples")]
-#[path = "../../shared/cli.rs"]
-mod cli;
-#[path = "../voxelize/gltf.rs"]
-mod gltf;
-#[path = "../voxelize/mesh.rs"]
-mod mesh;
 mod options;
-#[path = "../voxelize/ply.rs"]
-mod ply;
 mod solid;
 mod table;
 
@@ -26,23 +17,15 @@ use std::error::Error;
 use std::process::ExitCode;
 
 use fixed::types::{I4F4, I8F8, I16F16, I32F32};
-use mesh::Mesh;
 use options::{Options, Scalar};
+use septum_tools::cli;
+use septum_tools::mesh::Mesh;
 
 fn main() -> ExitCode {
-    match run(&cli::read()) {
-        Ok(table) => {
-            print!("{table}");
-            ExitCode::SUCCESS
-        }
-        Err(error) => {
-            eprintln!("error: {error}");
-            ExitCode::FAILURE
-        }
-    }
+    cli::run(|options| cli::say(&table(options)?))
 }
 
-fn run(options: &Options) -> Result<String, Box<dyn Error>> {
+fn table(options: &Options) -> Result<String, Box<dyn Error>> {
     let mesh = Mesh::load(options.mesh.as_slice(), options.up)?;
     match options.scalar {
         Scalar::I4F4 => table::write::<I4F4>(&mesh, options),

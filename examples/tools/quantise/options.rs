@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 
 use clap::{Parser, ValueEnum};
-
-use crate::cli::valid;
+use septum_tools::cli::valid;
+use septum_tools::mesh::Up;
 
 /// Brings a mesh to fixed point, as a table for flash.
 ///
@@ -39,13 +39,6 @@ pub(crate) struct Options {
     /// One tree over all parts: winding numbers then separate inside from outside
     #[arg(long)]
     pub(crate) whole: bool,
-}
-
-/// The axis that points up.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Up {
-    Y,
-    Z,
 }
 
 /// The fixed-point types that there are tables for.

@@ -1,5 +1,6 @@
 //! The programs, run as a user runs them.
 
+mod documented;
 mod options;
 mod printing;
 mod quantise;

@@ -1,8 +1,9 @@
 //! A user's mistake is reported in one line, with the valid values.
 
 use std::fs;
+use std::process::Stdio;
 
-use super::{directory, printed, run};
+use super::{command, directory, printed, run};
 
 /// Each of these is refused with one line that contains these words.
 fn refused(example: &str, cases: &[(&str, &str)]) {
@@ -94,5 +95,24 @@ fn help() {
     for example in ["voxelize", "quantise"] {
         let [help, errors] = printed(example, &["--help"], &directory("help"));
         assert!(help.contains("Usage:") && errors.is_empty(), "{example}: {help}{errors}");
+    }
+}
+
+/// As of `| head`, once it has its lines.
+#[test]
+fn a_closed_pipe_is_no_error() {
+    for (example, arguments) in [("voxelize", &["-r", "8", "--no-picture"][..]), ("quantise", &[])]
+    {
+        let directory = directory("pipe");
+        let mut program = command(example, &directory)
+            .args(arguments)
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        drop(program.stdout.take());
+        let output = program.wait_with_output().unwrap();
+        let errors = String::from_utf8(output.stderr).unwrap();
+        assert!(output.status.success() && !errors.contains("panic"), "{example}: {errors}");
     }
 }

@@ -12,52 +12,40 @@
 
 mod bits;
 mod camera;
-#[allow(dead_code, reason = "shared with other examples")]
-#[path = "../../shared/cli.rs"]
-mod cli;
 mod color;
 mod cubes;
 mod fill;
-mod gltf;
 mod grid;
 mod light;
 mod march;
-mod mesh;
 mod npy;
 mod options;
 mod output;
 mod per_voxel;
 mod picture;
 mod placement;
-mod ply;
 mod progress;
 mod volume;
 mod vox;
 
 use std::error::Error;
-use std::io::Write;
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
 use fill::Task;
 use grid::Grid;
 use indicatif::HumanCount;
-use mesh::Mesh;
-use options::{Method, Options, RuleName, ScalarType, Up};
+use options::{Method, Options, RuleName, ScalarType};
 use output::{Format, Output};
 use picture::View;
 use placement::Placed;
 use progress::Progress;
+use septum_tools::cli;
+use septum_tools::mesh::{Mesh, Up};
 use volume::Volume;
 
 fn main() -> ExitCode {
-    match run(&cli::read()) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            eprintln!("error: {error}");
-            ExitCode::FAILURE
-        }
-    }
+    cli::run(run)
 }
 
 fn run(options: &Options) -> Result<(), Box<dyn Error>> {
@@ -77,21 +65,21 @@ fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     let outputs = Output::open(outputs, &options.meshes)?;
 
     let filled = fill::fill(&placed, &task)?;
-    say(&report(options, &mesh, reading, &placed, &filled))?;
+    cli::say(&report(options, &mesh, reading, &placed, &filled))?;
     let Some(grid) = &filled.grid else { return Ok(()) };
     let other = match options.compare {
         Some(method) => fill::fill(&placed, &Task { method, ..task })?.grid,
         None => None,
     };
     if let Some(other) = &other {
-        say(&compared(options, grid, other))?;
+        cli::say(&compared(options, grid, other))?;
     }
     let volume = Volume::new(grid, &placed, mesh.up);
     for open in outputs {
         let (format, path) = (open.output.format, open.output.path.display().to_string());
         if format == Format::Picture {
             // The one step that takes long.
-            say(&line("drawing", &format!("{path}; without it: --no-picture")))?;
+            cli::say(&line("drawing", &format!("{path}; without it: --no-picture")))?;
         }
         let start = Instant::now();
         open.write(|file| match format {
@@ -101,7 +89,7 @@ fn run(options: &Options) -> Result<(), Box<dyn Error>> {
             Format::Bits => Ok(bits::write(&volume, file)?),
             Format::Cubes => Ok(cubes::write(&volume, file)?),
         })?;
-        say(&line(format.name(), &format!("{}, {path}", spent(start.elapsed()))))?;
+        cli::say(&line(format.name(), &format!("{}, {path}", spent(start.elapsed()))))?;
     }
     Ok(())
 }
@@ -225,12 +213,4 @@ fn moved(by: f64) -> String {
         return "vertices as they are".into();
     }
     format!("vertices rounded by at most {by:.1e} of a voxel")
-}
-
-/// Prints. A closed pipe is no error.
-fn say(text: &str) -> Result<(), Box<dyn Error>> {
-    match std::io::stdout().write_all(text.as_bytes()) {
-        Err(e) if e.kind() != std::io::ErrorKind::BrokenPipe => Err(e.into()),
-        _ => Ok(()),
-    }
 }

@@ -4,8 +4,8 @@ use std::path::PathBuf;
 
 use clap::{Parser, ValueEnum};
 use septum::voxel::Rule;
-
-use crate::cli::any;
+use septum_tools::cli::any;
+use septum_tools::mesh::Up;
 
 /// Voxelizes triangle meshes, exactly: the surface, or the inside too. Draws the result, or writes
 /// the voxels.
@@ -184,13 +184,4 @@ impl RuleName {
             Self::Thin => "thin",
         }
     }
-}
-
-/// The axis of the mesh that points up.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Up {
-    /// As most OBJ files have it
-    Y,
-    /// As most STL files have it
-    Z,
 }

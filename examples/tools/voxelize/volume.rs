@@ -1,8 +1,8 @@
 //! The voxels in the axes and the units of the meshes' files, for formats that keep them.
 
 use crate::grid::Grid;
-use crate::options::Up;
 use crate::placement::Placed;
+use septum_tools::mesh::Up;
 
 /// A grid whose axes are those of the files.
 pub(crate) struct Volume<'a> {

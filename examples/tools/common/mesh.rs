@@ -1,29 +1,40 @@
-//! Reading meshes: OBJ by `tobj`, STL by `stl_io`, glTF by `gltf`, PLY by `ply-rs-bw`.
+//! A mesh as it is read from files.
 
 use std::error::Error;
 use std::fs;
-use std::io::{Cursor, Read};
+use std::io::Read;
 use std::path::{Path, PathBuf};
 
-use crate::options::Up;
-use crate::{gltf, ply};
+use clap::ValueEnum;
+
+use crate::{gltf, obj, ply, stl};
 
 /// The bundled mesh, embedded so that the program runs from any directory.
 const TEAPOT: &[u8] = include_bytes!("../../assets/teapot.obj");
 
+/// The axis of a mesh that points up.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Up {
+    /// As most OBJ files have it
+    Y,
+    /// As most STL files have it
+    Z,
+}
+
 /// Triangles as read, every coordinate finite, y up.
-pub(crate) struct Mesh {
-    pub(crate) name: String,
-    pub(crate) triangles: Vec<[[f64; 3]; 3]>,
+pub struct Mesh {
+    /// Of the files, without their extensions.
+    pub name: String,
+    pub triangles: Triangles,
     /// The axis that pointed up in the file.
-    pub(crate) up: Up,
+    pub up: Up,
 }
 
 impl Mesh {
     /// Reads the meshes, or the bundled one, and turns them so that y is up.
-    pub(crate) fn load(paths: &[PathBuf], up: Option<Up>) -> Result<Self, Box<dyn Error>> {
+    pub fn load(paths: &[PathBuf], up: Option<Up>) -> Result<Self, Box<dyn Error>> {
         let Some((first, others)) = paths.split_first() else {
-            let triangles = read_obj(TEAPOT).and_then(checked)?;
+            let triangles = obj::read(TEAPOT).and_then(checked)?;
             return Ok(Self { name: "teapot".into(), triangles, up: Up::Y }.turned(up));
         };
         let mut mesh = Self::read(first, up)?;
@@ -55,8 +66,8 @@ impl Mesh {
         let bytes = bytes.map_err(|e| in_file(e.into()))?;
         let kind = kind.unwrap_or_else(|| Kind::guessed(&bytes));
         let triangles = match kind {
-            Kind::Obj => read_obj(&bytes),
-            Kind::Stl => read_stl(&bytes),
+            Kind::Obj => obj::read(&bytes),
+            Kind::Stl => stl::read(&bytes),
             Kind::Ply => ply::read(&bytes),
             Kind::Gltf => gltf::read(&bytes, (!is_input).then_some(path)),
         };
@@ -77,7 +88,8 @@ impl Mesh {
     }
 }
 
-pub(crate) type Triangles = Vec<[[f64; 3]; 3]>;
+/// Triangles by their vertices.
+pub type Triangles = Vec<[[f64; 3]; 3]>;
 
 /// The formats of meshes.
 #[derive(Clone, Copy, PartialEq)]
@@ -144,97 +156,4 @@ fn checked(triangles: Triangles) -> Result<Triangles, Box<dyn Error>> {
         }
     }
     Ok(triangles)
-}
-
-/// Polygons become fans of triangles. Lines and points become degenerate triangles.
-fn read_obj(bytes: &[u8]) -> Result<Triangles, Box<dyn Error>> {
-    let options = tobj::LoadOptions { triangulate: true, ..Default::default() };
-    let no_materials = |_: &Path| Err(tobj::LoadError::GenericFailure);
-    let geometry = geometry_of_obj(bytes);
-    let (models, _) = tobj::load_obj_buf(&mut Cursor::new(geometry), &options, no_materials)
-        .map_err(|e| format!("not a valid OBJ file: {e}"))?;
-
-    let mut triangles = Vec::new();
-    for tobj::Model { mesh, .. } in &models {
-        for face in mesh.indices.chunks_exact(3) {
-            // The loader has checked the indices.
-            let coordinate =
-                |corner: usize, i: usize| f64::from(mesh.positions[3 * face[corner] as usize + i]);
-            let point = |corner| [0, 1, 2].map(|i| coordinate(corner, i));
-            triangles.push([0, 1, 2].map(point));
-        }
-    }
-    Ok(triangles)
-}
-
-/// The vertex and face lines of an OBJ file. Faces lose their texture and normal indices, so that
-/// an error in unused data does not refuse the file.
-fn geometry_of_obj(bytes: &[u8]) -> String {
-    let text = String::from_utf8_lossy(bytes).replace("\\\r\n", " ").replace("\\\n", " ");
-    let mut geometry = String::with_capacity(text.len());
-    for line in text.lines() {
-        let line = line.split('#').next().unwrap_or_default();
-        let mut words = line.split_whitespace();
-        match words.next() {
-            Some("v") => geometry.push_str(line.trim_start()),
-            Some("f") => {
-                geometry.push('f');
-                for word in words {
-                    geometry.push(' ');
-                    geometry.push_str(word.split('/').next().unwrap_or_default());
-                }
-            }
-            _ => continue,
-        }
-        geometry.push('\n');
-    }
-    geometry
-}
-
-fn read_stl(bytes: &[u8]) -> Result<Triangles, Box<dyn Error>> {
-    let bytes = unambiguous_stl(bytes)?;
-    let invalid = |e| format!("not a valid STL file: {e}");
-    let mut reader = Cursor::new(bytes);
-    let mut triangles = Vec::new();
-    for triangle in stl_io::create_stl_reader(&mut reader).map_err(invalid)? {
-        let vertices = triangle.map_err(invalid)?.vertices;
-        triangles.push(vertices.map(|v| v.0.map(f64::from)));
-    }
-    Ok(triangles)
-}
-
-/// The file in a form that `stl_io` recognizes by its first word.
-///
-/// Binary files may begin with "solid" too, and are recognized by their length. Text files may have
-/// several solids, and solids without a name.
-fn unambiguous_stl(bytes: &[u8]) -> Result<Vec<u8>, Box<dyn Error>> {
-    const HEADER: usize = 84;
-    const TRIANGLE: usize = 50;
-    let expected = bytes.first_chunk::<HEADER>().map(|header| {
-        let [.., a, b, c, d] = *header;
-        HEADER + TRIANGLE * u32::from_le_bytes([a, b, c, d]) as usize
-    });
-    if !bytes.starts_with(b"solid") || expected == Some(bytes.len()) {
-        return match expected {
-            Some(length) if length <= bytes.len() => {
-                Ok([&[0; 80], bytes.get(80..).unwrap_or_default()].concat())
-            }
-            Some(_) => Err("the STL file ends before its last triangle".into()),
-            None => Err("not a valid STL file: too short".into()),
-        };
-    }
-    let text = String::from_utf8_lossy(bytes).to_ascii_lowercase();
-    let is_facet = |l: &&str| !l.starts_with("solid") && !l.starts_with("endsolid");
-    let facets = text.lines().map(str::trim).filter(is_facet);
-    let mut whole: String =
-        ["solid mesh"].into_iter().chain(facets).flat_map(|l| [l, "\n"]).collect();
-    if text
-        .lines()
-        .map(str::trim)
-        .rfind(|l| !l.is_empty())
-        .is_some_and(|l| l.starts_with("endsolid"))
-    {
-        whole.push_str("endsolid\n");
-    }
-    Ok(whole.into_bytes())
 }
