@@ -211,8 +211,12 @@ impl<T: Enclosed> Surd<T> {
     /// fixed point, and an infinity above all floats. `None` in doubt.
     pub(super) fn rounded<S: Scalar>(&self, is_negative: bool, is_up: bool) -> Option<S> {
         let (low, is_equal) = self.ordinal::<S>(true)?;
-        let more = i64::from(!is_equal && is_up != is_negative);
         let end = last_ordinal::<S>();
+        let mut more = i64::from(!is_equal && is_up != is_negative);
+        if S::FLOAT.is_none() && is_negative && is_up && low == end {
+            // Fixed point has a number more below zero.
+            more = i64::from(self.compare(S::of_ordinal(-end - 1))?.is_le());
+        }
         Some(S::of_ordinal(if is_negative {
             -low - more
         } else {

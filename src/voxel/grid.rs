@@ -198,7 +198,8 @@ impl<S: Scalar> Grid<S> {
         compare(p, x)
     }
 
-    /// Returns to − from in cells, with a relative error of less than four roundoffs.
+    /// Returns to − from in cells, with a relative error of less than six roundoffs, of which a subnormal
+    /// reciprocal has four.
     pub(super) fn length(&self, axis: usize, from: S, to: S) -> f64 {
         to.units_beyond(from) * self.per_cell[axis]
     }

@@ -4,18 +4,22 @@
 //!
 //! Lengths are in cells; η is the error of a place, as in `placed`, for places no farther than
 //! the anchor a and the grid. A component of the direction, d, is a difference times a
-//! reciprocal: it errs by less than 4u·|d|. The line meets plane k at t = (k − a)/d. The
-//! difference errs by 2η and its rounding, at most η/8; t by that over |d|, and by six roundings
-//! of itself, each u·|k − a|/|d| ≤ η/(4·|d|). Together less than 4·η/|d|.
+//! reciprocal: it errs by less than 6u·|d|. The line meets plane k at t = (k − a)/d. The
+//! difference errs by 2η and its rounding, at most η/8; t by that over |d|, and by eight roundings
+//! of itself, each u·|k − a|/|d| ≤ η/(4·|d|). Together less than 5·η/|d|. Beyond [`LONGEST`] a length or
+//! its inverse may have fewer digits or be infinite, and there is no bound.
 
 use core::cmp::Ordering;
 
 use super::grid::Grid;
 use super::place::{Level, Marks, Place, locate};
 use super::sign::{against_point, line_turn};
-use crate::arithmetic::{Each, Parts, compare};
+use crate::arithmetic::{Each, Parts, compare, exp2};
 use crate::robust::certain_sign;
 use crate::scalar::Scalar;
+
+/// The greatest length, and the inverse of the least, with an error bound.
+const LONGEST: f64 = exp2(1000);
 
 /// The ends of a line.
 #[derive(Clone, Copy, Debug)]
@@ -54,7 +58,9 @@ impl<S: Scalar> Line<S> {
                 farthest = if size <= farthest { farthest } else { size };
             }
             let place_error = grid.place_error(farthest);
-            error = per_step.each(|d| 4.0 * place_error * d.abs());
+            let has_bound = |d: f64| (1.0 / LONGEST..=LONGEST).contains(&d.abs());
+            error = per_step
+                .each(|d| if has_bound(d) { 5.0 * place_error * d.abs() } else { f64::INFINITY });
         }
         Self { anchor, from, to, near, per_step, error }
     }

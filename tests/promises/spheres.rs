@@ -5,8 +5,8 @@ use std::env;
 
 use septum::relation::{Relate, Relation};
 use septum::{Plane, Ray, ShapeError, Sphere};
-use septum_kit::fixed::types::I16F16;
-use septum_kit::spheres::{Other, SphereCase, SphereSet};
+use septum_kit::fixed::types::{I4F4, I8F8, I16F16, I32F32};
+use septum_kit::spheres::{CapsuleCase, Other, SphereCase, SphereSet};
 use septum_kit::{Each, Rng, Sample, for_every_scalar, not_finite, with_every_scalar};
 
 /// Checks all answers about a case.
@@ -133,4 +133,37 @@ fn points_on_a_plane_or_a_ray() {
     assert_eq!(of(&ray.with_range(0.0, 2.0).unwrap()), [0, 1, 2, 1]);
     assert_eq!(of(&ray.with_range(None, 1.0).unwrap()), [2, 2, 1, 0]);
     assert_eq!(of(&ray.with_range(1.0, 1.0).unwrap()), [0, 0, 2, 0]);
+}
+
+/// Times at the ends of fixed point and beyond them: of spheres and capsules many directions away.
+#[test]
+fn ranges_at_the_ends_of_fixed_point() {
+    fn check<S: Sample>() {
+        let (mut rng, mut least) = (Rng::new(0xe4d5), 0);
+        for _ in 0..2_000 {
+            // In raw bits: a time is a quotient of two of them.
+            let (step, radius) = (rng.whole(1, 3), rng.whole(1, 9));
+            let far = -(S::LEAST.approximate() as i64) * step + rng.whole(-2, 2) * radius;
+            let sign = if rng.one_in(2) { 1 } else { -1 };
+            let raw = |p: [i64; 3]| p.each(|x| S::ZERO.moved(x));
+            let (y, z) = (rng.whole(0, radius), rng.whole(0, 2));
+            let numbers = [raw([0; 3]), raw([sign * step, 0, 0])];
+            let (center, radius) = (raw([far, y, z]), S::ZERO.moved(radius));
+            let other = || Other::Ray(numbers, [None; 2]);
+            let sphere = SphereCase { center, radius, other: other() };
+            let ends = [center, raw([far, y + rng.whole(1, 5), z])];
+            let capsule = CapsuleCase { ends, radius, other: other() };
+            for range in [sphere.check_range(), capsule.check_range()] {
+                let found = range.unwrap().unwrap_or_else(|found| {
+                    panic!("{}: {found} {sphere:?} {capsule:?}", S::name())
+                });
+                least += usize::from(found.is_some_and(|(_, leave)| leave == S::LEAST));
+            }
+        }
+        assert!(least > 300, "{}: {least}", S::name());
+    }
+    check::<I4F4>();
+    check::<I8F8>();
+    check::<I16F16>();
+    check::<I32F32>();
 }

@@ -1,7 +1,8 @@
 //! Solids by crossings along rows, and walks along lines, compared with oracles of other methods.
 
 use septum::voxel::{Grid, Rule, Solid, TooFewWords};
-use septum::{Ray, Segment, Triangle};
+use septum::{Aabb, Ray, Segment, Triangle};
+use septum_kit::Rng;
 use septum_kit::voxels::{InScalar, LineKind, VoxelScene};
 
 #[test]
@@ -165,4 +166,41 @@ fn long_walks_end() {
     let along = Segment::new([9.0, 9.0, -5.0], [9.0, 9.0, 99.0]).unwrap();
     assert_eq!(grid.walk_segment(&along, Rule::Closed).count(), 4 * 300);
     assert_eq!(grid.walk_segment(&along, Rule::HalfOpen).count(), 300);
+}
+
+/// Lines and cells so long and so short that no float holds a line in cells: by each voxel alone.
+#[test]
+fn walks_of_lines_beyond_floats_in_cells() {
+    let (mut rng, mut met) = (Rng::new(0x10e6), 0);
+    for _ in 0..6_000 {
+        let power = |exponent: i32| 2_f64.powi(exponent / 2) * 2_f64.powi(exponent - exponent / 2);
+        let cell = power([-960, -1, 960][rng.below(3)]);
+        let long = power([-1070, -1000, 0, 1000, 1021][rng.below(5)]);
+        let grid = Grid::new([0.0; 3], [cell; 3], [4, 4, 2]).unwrap();
+        let anchor = rng.triple(|rng| rng.whole(-2, 18) as f64 * 0.25 * cell);
+        let way = rng.triple(|rng| rng.whole(-7, 7) as f64 * long);
+        let Ok(ray) = Ray::new(anchor, way) else { continue };
+        let [segment, back] =
+            [[anchor, way], [way, anchor]].map(|[p, q]| Segment::new(p, q).unwrap());
+        let of_each = |meets: &dyn Fn(&Aabb<f64>) -> bool| {
+            let voxels = (0..32).map(|n| [n % 4, n / 4 % 4, n / 16]);
+            voxels.filter(|&v| meets(&grid.voxel(v).unwrap())).collect::<Vec<_>>()
+        };
+        let sorted = |walk: &mut dyn Iterator<Item = [u32; 3]>| {
+            let mut all: Vec<_> = walk.collect();
+            all.sort_unstable_by_key(|[x, y, z]| [*z, *y, *x]);
+            all
+        };
+        let by_ray = sorted(&mut grid.walk_ray(&ray, Rule::Closed));
+        assert_eq!(by_ray, of_each(&|voxel| ray.overlaps(voxel)), "{grid:?} {ray:?}");
+        let by_segment = sorted(&mut grid.walk_segment(&segment, Rule::Closed));
+        assert_eq!(by_segment, of_each(&|voxel| segment.overlaps(voxel)), "{grid:?} {segment:?}");
+        for rule in [Rule::Closed, Rule::HalfOpen, Rule::Thin] {
+            let [mut there, mut back] =
+                [&segment, &back].map(|segment| grid.walk_segment(segment, rule));
+            assert_eq!(sorted(&mut there), sorted(&mut back), "{rule:?} {grid:?} {segment:?}");
+        }
+        met += by_ray.len() + by_segment.len();
+    }
+    assert!(met > 20_000, "{met}");
 }

@@ -83,7 +83,8 @@ fn check<S: Sample>(
         |t: S| if is_beyond(t) { t < S::ZERO } else { line.is_before(t.mantissa_exponent()) };
     let leaves = |t: S| {
         let (m, exponent) = if is_beyond(t) { return t > S::ZERO } else { t.mantissa_exponent() };
-        turned.is_before((-m, exponent))
+        // The least integer has no opposite, and is even.
+        turned.is_before(m.checked_neg().map_or((-(m / 2), exponent + 1), |m| (m, exponent)))
     };
     let is_end = |t: S, end: Option<S>| end == Some(t) || t <= S::LEAST || t >= S::GREATEST;
     let enters =
