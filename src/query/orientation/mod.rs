@@ -14,62 +14,18 @@ mod sides;
 
 use core::cmp::Ordering;
 
-use self::sides::share_a_point;
+use self::sides::{FIRST, SECOND, Whole, share_a_point};
 use super::relation::{Asked, Relation};
 use crate::arithmetic::{
     Arithmetic, Each, Int64Narrow, Number, REGISTERS_ARE_WIDE, pick, three, turn,
 };
-use sides::Whole;
 
 pub(crate) use self::sides::{Vector, from};
 pub(super) use self::sides::{are_apart, sides, size};
 
-/// Six points: the vertices of the first shape and of the second.
-pub(super) trait Points {
-    /// The side of the plane through a, b and c on which d lies: the sign of ((b − a) × (c − a))·(d
-    /// − a).
-    fn volume(&self, points: [usize; 4]) -> Ordering;
-
-    /// The sign of component `axis` of (b − a) × (c − a).
-    fn area(&self, axis: usize, points: [usize; 3]) -> Ordering;
-
-    /// Compares coordinate `axis` of two points.
-    fn compare(&self, axis: usize, points: [usize; 2]) -> Ordering;
-
-    /// The sides of the plane through a, b and c on which the points `of` lie.
-    fn sides(&self, [a, b, c]: [usize; 3], of: [usize; 3]) -> [Ordering; 3] {
-        of.each(|d| self.volume([a, b, c, d]))
-    }
-
-    /// The sides of the line through a and b on which the points `of` lie, in the projection along
-    /// `axis`.
-    fn sides_of_line(&self, axis: usize, [a, b]: [usize; 2], of: [usize; 3]) -> [Ordering; 3] {
-        of.each(|c| self.area(axis, [a, b, c]))
-    }
-
-    /// The nearest relation that coordinate `axis` allows.
-    fn along_axis(&self, axis: usize) -> Relation {
-        // Every vertex of the first shape against every vertex of the second.
-        let rows = FIRST.each(|a| SECOND.each(|b| self.compare(axis, [a, b])));
-        let all = || rows.as_flattened().iter();
-        let (above, below) = (all().any(|x| x.is_gt()), all().any(|x| x.is_lt()));
-        if above == below {
-            Relation::Overlapping
-        } else if all().any(|x| x.is_eq()) {
-            Relation::Touching
-        } else {
-            Relation::Disjoint
-        }
-    }
-}
-
-/// The vertices of the first shape, and of the second.
-const FIRST: [usize; 3] = [0, 1, 2];
-const SECOND: [usize; 3] = [3, 4, 5];
-
 /// The relation of the two shapes.
 #[inline(never)]
-pub(super) fn relation(points: &impl Points) -> Relation {
+pub(super) fn relation<N: Arithmetic>(points: &Whole<N>) -> Relation {
     let [x, y, z] = three(|axis| points.along_axis(axis));
     let so_far = x.min(y).min(z);
     if so_far == Relation::Disjoint {
@@ -134,7 +90,11 @@ fn along(sides: [Ordering; 3], back: &[Ordering]) -> Relation {
 
 /// The relation of two triangles whose planes cross, neither triangle beyond the plane of the
 /// other. Each triangle cuts an interval out of the common line of both planes; do these meet?
-fn crossing(points: &impl Points, first: [Ordering; 3], second: [Ordering; 3]) -> Relation {
+fn crossing<N: Arithmetic>(
+    points: &Whole<N>,
+    first: [Ordering; 3],
+    second: [Ordering; 3],
+) -> Relation {
     let (i, is_first_above) = apex(first.each(|sign| sign as i8));
     let (k, is_second_above) = apex(second.each(|sign| sign as i8));
     let order = |of: [usize; 3], k: usize, is_in_order: bool| {
@@ -188,8 +148,8 @@ const APEXES: [(u8, bool); 27] = {
 
 /// The relation of a triangle and a segment that meets its plane in one point, given the signs of
 /// the segment's vertices. They meet if the line passes all edges on one side.
-fn piercing(
-    points: &impl Points,
+fn piercing<N: Arithmetic>(
+    points: &Whole<N>,
     segment: [usize; 3],
     signs: [Ordering; 3],
     triangle: [usize; 3],
@@ -223,7 +183,7 @@ fn passing(sides: [Ordering; 3]) -> Relation {
 /// of the triangles has an area. In a coordinate plane the candidate axes are the normals of all
 /// edges; on a line they are the coordinates themselves.
 #[inline(never)]
-fn in_plane(points: &impl Points) -> Relation {
+fn in_plane<N: Arithmetic>(points: &Whole<N>) -> Relation {
     let has_area = |axis: usize| {
         points.area(axis, FIRST) != Ordering::Equal || points.area(axis, SECOND) != Ordering::Equal
     };
@@ -244,7 +204,7 @@ fn in_plane(points: &impl Points) -> Relation {
 }
 
 /// The nearest relation that the normals of the edges allow, in the projection along an axis.
-fn seen_along(points: &impl Points, axis: usize) -> Relation {
+fn seen_along<N: Arithmetic>(points: &Whole<N>, axis: usize) -> Relation {
     let mut so_far = Relation::Overlapping;
     for (one, other) in [(FIRST, SECOND), (SECOND, FIRST)] {
         for k in 0..3 {

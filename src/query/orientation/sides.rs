@@ -2,7 +2,7 @@
 
 use core::cmp::Ordering;
 
-use super::{FIRST, Points, Relation, SECOND, error_bound};
+use super::{Relation, error_bound};
 use crate::arithmetic::{
     Arithmetic, Each, Number, cross, dot, greatest, largest, least, minus3, pick, sign, turn,
 };
@@ -70,7 +70,11 @@ pub(crate) fn share_a_point<T: PartialEq>(some: &[[T; 3]], others: &[[T; 3]]) ->
     some.iter().any(|p| others.contains(p))
 }
 
-/// Six points in an exact number system.
+/// The vertices of the first shape, and of the second.
+pub(super) const FIRST: [usize; 3] = [0, 1, 2];
+pub(super) const SECOND: [usize; 3] = [3, 4, 5];
+
+/// Six points in an exact number system: the vertices of the first shape and of the second.
 pub(crate) struct Whole<N: Arithmetic>(pub(crate) [[N::Length; 3]; 6]);
 
 impl<N: Arithmetic> Whole<N> {
@@ -83,26 +87,34 @@ impl<N: Arithmetic> Whole<N> {
     fn difference(&self, a: usize, b: usize) -> [N::Length; 3] {
         minus3(self.point(a), self.point(b))
     }
-}
 
-impl<N: Arithmetic> Points for Whole<N> {
-    fn volume(&self, [a, b, c, d]: [usize; 4]) -> Ordering {
+    /// The side of the plane through a, b and c on which d lies: the sign of ((b − a) × (c − a))·(d − a).
+    pub(super) fn volume(&self, [a, b, c, d]: [usize; 4]) -> Ordering {
         let [b, c, d] = [b, c, d].each(|x| self.difference(x, a));
         sign(dot::<N>(&cross::<N>(&b, &c), &d))
     }
 
-    fn area(&self, axis: usize, [a, b, c]: [usize; 3]) -> Ordering {
+    /// The sign of component `axis` of (b − a) × (c − a).
+    pub(super) fn area(&self, axis: usize, [a, b, c]: [usize; 3]) -> Ordering {
         let (_, j, k) = turn(axis);
         let (b, c) = (self.difference(b, a), self.difference(c, a));
         sign(N::area(b[j], c[k]) - N::area(b[k], c[j]))
     }
 
-    fn sides(&self, [a, b, c]: [usize; 3], of: [usize; 3]) -> [Ordering; 3] {
+    /// The sides of the plane through a, b and c on which the points `of` lie.
+    pub(super) fn sides(&self, [a, b, c]: [usize; 3], of: [usize; 3]) -> [Ordering; 3] {
         let n = cross::<N>(&self.difference(b, a), &self.difference(c, a));
         of.each(|d| sign(dot::<N>(&n, &self.difference(d, a))))
     }
 
-    fn sides_of_line(&self, axis: usize, [a, b]: [usize; 2], of: [usize; 3]) -> [Ordering; 3] {
+    /// The sides of the line through a and b on which the points `of` lie, in the projection along
+    /// `axis`.
+    pub(super) fn sides_of_line(
+        &self,
+        axis: usize,
+        [a, b]: [usize; 2],
+        of: [usize; 3],
+    ) -> [Ordering; 3] {
         let (_, j, k) = turn(axis);
         let a = self.point(a);
         let from = |x: usize| {
@@ -116,7 +128,8 @@ impl<N: Arithmetic> Points for Whole<N> {
         })
     }
 
-    fn along_axis(&self, axis: usize) -> Relation {
+    /// The nearest relation that coordinate `axis` allows.
+    pub(super) fn along_axis(&self, axis: usize) -> Relation {
         let ends = |of: [usize; 3]| {
             let [x, y, z] = of.each(|x| *pick(self.point(x), axis));
             (least(least(x, y), z), greatest(greatest(x, y), z))
@@ -129,9 +142,5 @@ impl<N: Arithmetic> Points for Whole<N> {
         } else {
             Relation::Disjoint
         }
-    }
-
-    fn compare(&self, axis: usize, [a, b]: [usize; 2]) -> Ordering {
-        sign(*pick(self.point(a), axis) - *pick(self.point(b), axis))
     }
 }
