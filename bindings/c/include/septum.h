@@ -504,8 +504,8 @@ typedef struct {
 } septum_range_f64;
 
 // A closed mesh and the nodes of its tree, for example in flash. Triangles are indices of
-// vertices; with nodes they are listed in the tree's order. septum's example `quantise` writes
-// such tables.
+// vertices; with nodes they are listed in the tree's order. The program in examples/pick writes such
+// tables.
 typedef struct {
   const septum_i8f8 (*vertices)[3];
   size_t vertex_count;
@@ -523,8 +523,8 @@ typedef struct {
 } septum_tree_i8f8;
 
 // A closed mesh and the nodes of its tree, for example in flash. Triangles are indices of
-// vertices; with nodes they are listed in the tree's order. septum's example `quantise` writes
-// such tables.
+// vertices; with nodes they are listed in the tree's order. The program in examples/pick writes such
+// tables.
 typedef struct {
   const septum_i16f16 (*vertices)[3];
   size_t vertex_count;
@@ -542,8 +542,8 @@ typedef struct {
 } septum_tree_i16f16;
 
 // A closed mesh and the nodes of its tree, for example in flash. Triangles are indices of
-// vertices; with nodes they are listed in the tree's order. septum's example `quantise` writes
-// such tables.
+// vertices; with nodes they are listed in the tree's order. The program in examples/pick writes such
+// tables.
 typedef struct {
   const float (*vertices)[3];
   size_t vertex_count;
@@ -561,8 +561,8 @@ typedef struct {
 } septum_tree_f32;
 
 // A closed mesh and the nodes of its tree, for example in flash. Triangles are indices of
-// vertices; with nodes they are listed in the tree's order. septum's example `quantise` writes
-// such tables.
+// vertices; with nodes they are listed in the tree's order. The program in examples/pick writes such
+// tables.
 typedef struct {
   const double (*vertices)[3];
   size_t vertex_count;
@@ -580,8 +580,8 @@ typedef struct {
 } septum_tree_f64;
 
 // A closed mesh and the nodes of its tree, for example in flash. Triangles are indices of
-// vertices; with nodes they are listed in the tree's order. septum's example `quantise` writes
-// such tables.
+// vertices; with nodes they are listed in the tree's order. The program in examples/pick writes such
+// tables.
 typedef struct {
   const float (*vertices)[3];
   size_t vertex_count;
@@ -599,8 +599,8 @@ typedef struct {
 } septum_tree32_f32;
 
 // A closed mesh and the nodes of its tree, for example in flash. Triangles are indices of
-// vertices; with nodes they are listed in the tree's order. septum's example `quantise` writes
-// such tables.
+// vertices; with nodes they are listed in the tree's order. The program in examples/pick writes such
+// tables.
 typedef struct {
   const double (*vertices)[3];
   size_t vertex_count;

@@ -12,8 +12,8 @@ use crate::queries::by;
 use crate::shapes::{Aabb, Answer, Closest, FirstContact, Hit, Ray, Sphere, SphereContact, point};
 
 /// A closed mesh and the nodes of its tree, for example in flash. Triangles are indices of
-/// vertices; with nodes they are listed in the tree's order. septum's example `quantise` writes
-/// such tables.
+/// vertices; with nodes they are listed in the tree's order. The program in examples/pick writes such
+/// tables.
 #[repr(C)]
 pub struct Mesh<T, I> {
     pub vertices: *const [T; 3],

@@ -9,17 +9,20 @@ pub type I8F8 = i16;
 pub type I16F16 = i32;
 
 /// A number in C.
-pub trait Number: Copy {
+pub trait Number: Copy + PartialEq {
     type Scalar: Scalar;
+
+    /// The numbers that stand for an unbounded range: as its start, and as its end.
+    const UNBOUNDED: [Self; 2];
 
     fn scalar(self) -> Self::Scalar;
     fn raw(scalar: Self::Scalar) -> Self;
-    /// The end of a range, or `None` if the range is unbounded.
-    fn end(self) -> Option<Self::Scalar>;
 }
 
 impl Number for f32 {
     type Scalar = Self;
+
+    const UNBOUNDED: [Self; 2] = [Self::NEG_INFINITY, Self::INFINITY];
 
     fn scalar(self) -> Self {
         self
@@ -27,16 +30,14 @@ impl Number for f32 {
 
     fn raw(scalar: Self) -> Self {
         scalar
-    }
-
-    fn end(self) -> Option<Self> {
-        if self.is_infinite() { None } else { Some(self) }
     }
 }
 
 impl Number for f64 {
     type Scalar = Self;
 
+    const UNBOUNDED: [Self; 2] = [Self::NEG_INFINITY, Self::INFINITY];
+
     fn scalar(self) -> Self {
         self
     }
@@ -44,14 +45,12 @@ impl Number for f64 {
     fn raw(scalar: Self) -> Self {
         scalar
     }
-
-    fn end(self) -> Option<Self> {
-        if self.is_infinite() { None } else { Some(self) }
-    }
 }
 
 impl Number for I8F8 {
     type Scalar = types::I8F8;
+
+    const UNBOUNDED: [Self; 2] = [Self::MIN, Self::MAX];
 
     fn scalar(self) -> types::I8F8 {
         types::I8F8::from_bits(self)
@@ -60,14 +59,12 @@ impl Number for I8F8 {
     fn raw(scalar: types::I8F8) -> Self {
         scalar.to_bits()
     }
-
-    fn end(self) -> Option<types::I8F8> {
-        if self == Self::MAX || self == Self::MIN { None } else { Some(self.scalar()) }
-    }
 }
 
 impl Number for I16F16 {
     type Scalar = types::I16F16;
+
+    const UNBOUNDED: [Self; 2] = [Self::MIN, Self::MAX];
 
     fn scalar(self) -> types::I16F16 {
         types::I16F16::from_bits(self)
@@ -75,9 +72,5 @@ impl Number for I16F16 {
 
     fn raw(scalar: types::I16F16) -> Self {
         scalar.to_bits()
-    }
-
-    fn end(self) -> Option<types::I16F16> {
-        if self == Self::MAX || self == Self::MIN { None } else { Some(self.scalar()) }
     }
 }

@@ -231,7 +231,9 @@ impl<T: Number> Ray<T> {
     pub(crate) fn shape(&self) -> Result<septum::Ray<T::Scalar>, Answer> {
         let ray = septum::Ray::new(point(&self.origin), point(&self.direction))?;
         let zero = <T::Scalar as septum::Scalar>::ZERO;
-        let (from, to) = (self.t_min.end(), self.t_max.end());
+        let end = |t: T, unbounded: T| (t != unbounded).then(|| t.scalar());
+        let [start, greatest] = T::UNBOUNDED;
+        let (from, to) = (end(self.t_min, start), end(self.t_max, greatest));
         if from == Some(zero) && to == Some(zero) {
             return Err(Answer::NoRange);
         }

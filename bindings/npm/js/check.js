@@ -66,21 +66,25 @@ export function options(given, known) {
     return given;
 }
 
+/** The ends of a ray; for f32 if `round` is `Math.fround`. An infinite one on its own side is none. */
+export function range(name, near, far, round = Math.fround) {
+    for (const [end, x, none] of [['near', near, -Infinity], ['far', far, Infinity]]) {
+        if (x !== none) number(`${name}${end}`, x, round);
+    }
+    if (round(near) > round(far)) throw new RangeError(`${name}near is ${near}, above ${name}far, which is ${far}`);
+    return [near, far];
+}
+
 const WHOLE = [0, Infinity, 0];
 
 /** The ends of a ray and which of its hits are culled. */
 export function reach(given) {
     if (given === undefined) return WHOLE;
     const { near = 0, far = Infinity, cull = 'none' } = options(given, ['near', 'far', 'cull']);
-    for (const [name, x] of [['near', near], ['far', far]]) {
-        if (typeof x !== 'number') throw new TypeError(`options.${name} is ${shown(x)}, not a number`);
-        if (Number.isNaN(x)) throw new RangeError(`options.${name} is NaN`);
-    }
-    if (Math.fround(near) > Math.fround(far)) throw new RangeError(`options.near is ${near}, above options.far, which is ${far}`);
-    if (near === Infinity || far === -Infinity) throw new RangeError(`the range from ${near} to ${far} is empty`);
+    const [from, to] = range('options.', near, far);
     const rule = ['none', 'back', 'front'].indexOf(cull);
     if (rule < 0) throw new RangeError(`options.cull is ${shown(cull)}, not 'none', 'back' or 'front'`);
-    return [near, far, rule];
+    return [from, to, rule];
 }
 
 /** A box by its corners, for f32 if `round` is `Math.fround`. */

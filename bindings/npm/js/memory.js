@@ -1,5 +1,5 @@
 // The module for meshes, once it is loaded, and its memory.
-import { options } from './check.js';
+import { options, shown } from './check.js';
 import { hasVectors, load } from './load.js';
 
 let exports = null;
@@ -10,8 +10,9 @@ let words = new Uint32Array(0);
 let numbers = 0;
 
 /** Loads the WebAssembly, once: with vectors where the machine has them, or as the options say. */
-export function init(given) {
+export async function init(given) {
     const { simd = true } = options(given, ['simd']);
+    if (typeof simd !== 'boolean') throw new TypeError(`options.simd is ${shown(simd)}, not true or false`);
     loading ??= (async () => {
         vectors = simd && hasVectors();
         // Without vectors it is the same module and a patch.

@@ -1,5 +1,5 @@
 // septum/pairs: exact questions about two shapes, in f64, JavaScript's own numbers.
-import { corners, direction, length, number, part, shown, vector } from './check.js';
+import { corners, direction, length, number, part, range as reach, shown, vector } from './check.js';
 import { load } from './load.js';
 
 let exports = null;
@@ -43,6 +43,7 @@ function shape(name, s) {
         const half = point(`${name}.halfExtents`, s.halfExtents);
         half.forEach((x, i) => { if (x < 0) throw new RangeError(`${name}.halfExtents.${'xyz'[i]} is ${x}, below zero`); });
         const head = [...point(`${name}.center`, s.center), ...half];
+        if (s.quaternion !== undefined && s.axes !== undefined) throw new TypeError(`${name} has both axes and a quaternion`);
         if (s.quaternion !== undefined) return [3, [...head, ...quaternion(`${name}.quaternion`, s.quaternion)]];
         const axes = s.axes ?? [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
         if (!Array.isArray(axes) || axes.length !== 3) throw new TypeError(`${name}.axes are ${shown(axes)}, not three vectors`);
@@ -103,13 +104,11 @@ export function contact(first, second) {
 /** The question of a ray's range in a shape. */
 function range(ray, name, given) {
     if (typeof ray !== 'object' || ray === null) throw new TypeError(`ray is ${shown(ray)}, not { origin, direction }`);
+    const unknown = Object.keys(ray).find((name) => !['origin', 'direction', 'near', 'far'].includes(name));
+    if (unknown !== undefined) throw new TypeError(`ray.${unknown} is unknown; there are origin, direction, near, far`);
     const { near = 0, far = Infinity } = ray;
     const along = [...point('ray.origin', ray.origin), ...direction('ray.direction', ray.direction, exact)];
-    for (const [name, x] of [['ray.near', near], ['ray.far', far]]) {
-        if (typeof x !== 'number') throw new TypeError(`${name} is ${shown(x)}, not a number`);
-        if (Number.isNaN(x)) throw new RangeError(`${name} is NaN`);
-    }
-    if (near > far || near === Infinity || far === -Infinity) throw new RangeError(`the range from ${near} to ${far} is empty`);
+    reach('ray.', near, far, exact);
     const [kind, numbersOf] = shape(name, given);
     if ((name === 'sphere') !== (kind === 4) || kind === 0 || kind === 5) throw new TypeError(`${name} is another shape`);
     const all = numbers();

@@ -28,6 +28,7 @@ export async function inSteps(steps, given) {
     if (typeof steps?.next !== 'function') throw new TypeError(`steps are ${shown(steps)}, not those of Mesh.steps, voxelizeSteps or openEdgeSteps`);
     if (typeof slice !== 'number' || !(slice >= 0)) throw new RangeError(`options.slice is ${shown(slice)}, not a number of milliseconds`);
     if (progress !== undefined && typeof progress !== 'function') throw new TypeError(`options.progress is ${shown(progress)}, not a function`);
+    if (signal !== undefined && typeof signal?.throwIfAborted !== 'function') throw new TypeError(`options.signal is ${shown(signal)}, not an AbortSignal`);
     try {
         let last = performance.now();
         for (;;) {

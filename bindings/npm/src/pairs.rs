@@ -135,9 +135,10 @@ extern "C" fn contact(first: u32, second: u32) -> i32 {
 /// A ray by origin, direction and range.
 fn ray() -> Result<Ray<f64>, ShapeError> {
     let [ox, oy, oz, dx, dy, dz, near, far] = numbers::<8>(0);
-    // An infinite end is no end.
-    let end = |t: f64| (!t.is_infinite()).then_some(t);
-    Ray::new([ox, oy, oz], [dx, dy, dz])?.with_range(end(near), end(far))
+    // An infinite end on its own side is no end.
+    let end = |t: f64, none: f64| (t != none).then_some(t);
+    let ends = [end(near, f64::NEG_INFINITY), end(far, f64::INFINITY)];
+    Ray::new([ox, oy, oz], [dx, dy, dz])?.with_range(ends[0], ends[1])
 }
 
 /// Whether a ray meets a box or a sphere: 0 or 1. The numbers are then where it enters and leaves.

@@ -24,9 +24,9 @@ fn rules(cull: u32) -> HitRules {
 }
 
 fn ray(origin: [f32; 3], along: [f32; 3], [near, far]: [f32; 2]) -> Result<Ray<f32>, ShapeError> {
-    // An infinite end is no end.
-    let end = |t: f32| (!t.is_infinite()).then_some(t);
-    Ray::new(origin, along)?.with_range(end(near), end(far))
+    // An infinite end on its own side is no end.
+    let end = |t: f32, none: f32| (t != none).then_some(t);
+    Ray::new(origin, along)?.with_range(end(near, f32::NEG_INFINITY), end(far, f32::INFINITY))
 }
 
 /// The words of a hit: t, u, v and, for a back face, 1.

@@ -99,7 +99,12 @@ test('a mesh says which of its numbers is wrong', () => {
 test('options and counts say what is wrong', async () => {
     told(() => mesh.raycast(V, [0, 0, 0]), 'direction is zero');
     told(() => mesh.raycast(V, [0, 1e-60, 0]), 'direction is zero once rounded to f32');
-    told(() => mesh.raycast(V, V, { far: NaN }), 'options.far is NaN');
+    told(() => mesh.raycast(V, V, { far: NaN }), 'options.far is NaN, not a finite number');
+    for (const near of [3.4028236e38, 1e300, Infinity]) {
+        told(() => mesh.raycast(V, V, { near }), Number.isFinite(near) ? `options.near is ${near}, which is beyond f32` : 'options.near is Infinity, not a finite number');
+    }
+    told(() => mesh.raycastAny(V, V, { near: -Infinity, far: -1e39 }), 'options.far is -1e+39, which is beyond f32');
+    told(() => mesh.raycastAll(V, V, { far: -Infinity }), 'options.far is -Infinity, not a finite number');
     told(() => mesh.raycast(V, V, { near: '0' }), 'options.near is "0", not a number');
     told(() => mesh.raycast(V, V, { near: 2, far: 1 }), 'options.near is 2, above options.far, which is 1');
     told(() => mesh.raycast(V, V, { cull: 'both' }), "options.cull is \"both\", not 'none', 'back' or 'front'");
@@ -143,9 +148,15 @@ test('options and counts say what is wrong', async () => {
     told(() => pairs.overlaps(ball, { center: V, halfExtents: V }), none('first', 'second'));
     told(() => pairs.rayBox({ origin: V, direction: V }, ball), 'box is another shape');
     told(() => pairs.raySphere({ origin: V, direction: V }, box), 'sphere is another shape');
-    told(() => pairs.rayBox({ origin: V, direction: V, near: 1, far: 0 }, { min: V, max: V }), 'the range from 1 to 0 is empty');
+    told(() => pairs.rayBox({ origin: V, direction: V, near: 1, far: 0 }, { min: V, max: V }), 'ray.near is 1, above ray.far, which is 0');
+    told(() => pairs.rayBox({ origin: V, direction: V, near: Infinity }, box), 'ray.near is Infinity, not a finite number');
+    told(() => pairs.rayBox({ origin: V, direction: V, nera: 1 }, box), 'ray.nera is unknown; there are origin, direction, near, far');
+    told(() => pairs.overlaps(box, { center: V, halfExtents: V, axes: [V, V, V], quaternion: [0, 0, 0, 1] }), 'second has both axes and a quaternion');
+    await assert.rejects(init(5), { message: 'options are 5, not an object' });
+    await assert.rejects(init({ simd: 'x' }), { message: 'options.simd is "x", not true or false' });
     await assert.rejects(inSteps(7), { message: /^steps are 7/ });
     await assert.rejects(inSteps(Mesh.steps(corners, faces), { slice: 'x' }), { message: 'options.slice is "x", not a number of milliseconds' });
+    await assert.rejects(inSteps(Mesh.steps(corners, faces), { signal: 5 }), { message: 'options.signal is 5, not an AbortSignal' });
     await assert.rejects(inSteps(Mesh.steps(corners, faces), { signal: AbortSignal.abort() }), { name: 'AbortError' });
 });
 

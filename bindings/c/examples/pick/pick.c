@@ -16,7 +16,8 @@ static size_t load(const char *path, size_t *vertex_count) {
     char line[256];
     size_t v = 0, t = 0;
     if (file == NULL) {
-        return 0;
+        perror(path);
+        exit(1);
     }
     while (fgets(line, sizeof line, file) != NULL) {
         unsigned a, b, c;
@@ -69,7 +70,15 @@ static int write_table(const char *path, size_t vertex_count, size_t triangle_co
 }
 
 int main(int count, char **arguments) {
-    size_t vertex_count = 0, triangle_count = count > 1 ? load(arguments[1], &vertex_count) : 0;
+    if (count < 2) {
+        fprintf(stderr, "usage: pick mesh.obj [table.h]\n");
+        return 1;
+    }
+    size_t vertex_count = 0, triangle_count = load(arguments[1], &vertex_count);
+    if (triangle_count == 0) {
+        fprintf(stderr, "%s: no lines \"f\" with three vertices\n", arguments[1]);
+        return 1;
+    }
     septum_mesh_f32 mesh = {vertices, vertex_count, triangles, triangle_count, NULL, 0};
     septum_tree_f32 tree;
     septum_answer built = septum_tree_build_f32(&mesh, nodes, septum_node_count(triangle_count), order, &tree);

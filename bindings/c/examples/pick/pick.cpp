@@ -1,6 +1,7 @@
 // As pick.c, in C++: ./pick-cpp mesh.obj
 
 #include <cstdio>
+#include <cstdlib>
 #include <fstream>
 #include <septum.hpp>
 #include <sstream>
@@ -12,6 +13,10 @@ static septum::found<mesh> load(const char *path) {
     std::vector<septum::point<float>> vertices;
     std::vector<mesh::triangle> triangles;
     std::ifstream file(path);
+    if (!file) {
+        std::perror(path);
+        std::exit(1);
+    }
     for (std::string line, word; std::getline(file, line);) {
         std::istringstream words(line);
         words >> word;
@@ -21,11 +26,19 @@ static septum::found<mesh> load(const char *path) {
             triangles.push_back({t[0] - 1, t[1] - 1, t[2] - 1});
         }
     }
+    if (triangles.empty()) {
+        std::fprintf(stderr, "%s: no lines \"f\" with three vertices\n", path);
+        std::exit(1);
+    }
     return mesh::build(std::move(vertices), std::move(triangles));
 }
 
 int main(int count, char **arguments) {
-    const auto loaded = load(count > 1 ? arguments[1] : "");
+    if (count < 2) {
+        std::fprintf(stderr, "usage: pick-cpp mesh.obj\n");
+        return 1;
+    }
+    const auto loaded = load(arguments[1]);
     if (!loaded) {
         std::fprintf(stderr, "%s\n", loaded.text());
         return 1;
