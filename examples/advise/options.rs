@@ -13,7 +13,7 @@ use septum_tools::cli::{any, valid};
 #[derive(Parser)]
 #[command(name = "advise")]
 pub(crate) struct Options {
-    /// The mesh, an .obj or .stl file, in its own coordinates; without it, the
+    /// The mesh, an OBJ, STL, PLY or glTF file, in its own coordinates; without it, the
     /// bundled teapot
     pub(crate) mesh: Option<PathBuf>,
 

@@ -3,7 +3,6 @@
 use std::fs;
 
 use super::clock::Clock;
-use super::firmware::say;
 use super::{Taken, Zone, try_check};
 
 const HELP: &str = "\
@@ -43,7 +42,7 @@ pub(crate) fn run(zone: &Zone, clock: &Clock, taken: &mut Taken) -> Option<i32> 
             None => UNREADABLE,
         },
         Err(error) => {
-            say!("{}: {}", path, error);
+            eprintln!("error: {path}: {error}");
             UNREADABLE
         }
     });

@@ -33,7 +33,7 @@ struct Options {
 
     /// The ticks that the sync test goes back and plays again in each tick; without it, 2, in a crowd
     /// 8
-    #[arg(long, value_name = "TICKS",
+    #[arg(long, value_name = "TICKS", allow_negative_numbers = true,
         value_parser = valid("a number from 1 to 8", |back: &usize| (1..=MOST_BACK).contains(back)))]
     back: Option<usize>,
 }

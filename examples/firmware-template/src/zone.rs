@@ -1,4 +1,4 @@
-// The zone in I16F16, made by the example `quantise`.
+// The zone in I16F16, made by `quantise`.
 
 use fixed::types::I16F16;
 use septum::{Vec3, mesh::Node};

@@ -3,10 +3,11 @@
 use std::error::Error;
 use std::path::Path;
 
+use ::gltf::accessor::{Accessor, DataType, Dimensions};
 use ::gltf::buffer::Source;
 use ::gltf::mesh::Mode;
 use ::gltf::scene::Node;
-use ::gltf::{Gltf, Primitive};
+use ::gltf::{Gltf, Primitive, Semantic};
 use base64::prelude::{BASE64_STANDARD, Engine};
 
 use crate::mesh::Triangles;
@@ -70,11 +71,19 @@ fn collect(
     for primitive in node.mesh().iter().flat_map(|mesh| mesh.primitives()) {
         let points = positions(&primitive, &placed, buffers)?;
         let reader = primitive.reader(|buffer| buffers.get(buffer.index()).map(Vec::as_slice));
-        let indices: Vec<usize> = match reader.read_indices() {
-            Some(indices) => indices.into_u32().map(|i| i as usize).collect(),
+        let indices: Vec<usize> = match primitive.indices() {
+            Some(accessor) => {
+                use DataType::{U8, U16, U32};
+                check(&accessor, "indices", &[U8, U16, U32], Dimensions::Scalar)?;
+                let indices = reader.read_indices().ok_or("a mesh has no indices")?;
+                indices.into_u32().map(|i| i as usize).collect()
+            }
             None => (0..points.len()).collect(),
         };
         let corners: Vec<[usize; 3]> = match primitive.mode() {
+            Mode::Triangles if indices.len() % 3 != 0 => {
+                return Err(format!("a mesh of triangles has {} corners", indices.len()).into());
+            }
             Mode::Triangles => indices.chunks_exact(3).map(|t| [t[0], t[1], t[2]]).collect(),
             Mode::TriangleStrip => indices.windows(3).map(|t| [t[0], t[1], t[2]]).collect(),
             Mode::TriangleFan => {
@@ -101,6 +110,35 @@ fn positions(
         let p = p.map(f64::from);
         [0, 1, 2].map(|r| placed[3][r] + (0..3).map(|k| placed[k][r] * p[k]).sum::<f64>())
     };
+    let accessor = primitive.get(&Semantic::Positions).ok_or("a mesh has no positions")?;
+    check(&accessor, "positions", &[DataType::F32], Dimensions::Vec3)?;
     let positions = reader.read_positions().ok_or("a mesh has no positions")?;
     Ok(positions.map(place).collect())
+}
+
+/// Whether numbers have one of these types and are where they are said to be: the library would read others
+/// without a word, or fewer.
+fn check(
+    accessor: &Accessor<'_>,
+    what: &str,
+    types: &[DataType],
+    dimensions: Dimensions,
+) -> Result<(), String> {
+    let has_type = types.contains(&accessor.data_type()) && accessor.dimensions() == dimensions;
+    if !has_type {
+        return Err(format!("the {what} of a mesh have a type that is not theirs"));
+    }
+    let is_within = || {
+        // Without a view all are zero, or all are given one by one.
+        let Some(view) = accessor.view() else { return Some(accessor.sparse().is_some()) };
+        let stride = view.stride().unwrap_or(accessor.size());
+        let last = accessor.count().checked_sub(1)?.checked_mul(stride)?;
+        let end = last.checked_add(accessor.offset())?.checked_add(accessor.size())?;
+        let end_of_view = view.offset().checked_add(view.length())?;
+        Some(end <= view.length() && end_of_view <= view.buffer().length())
+    };
+    match is_within() {
+        Some(true) => Ok(()),
+        _ => Err(format!("the {what} of a mesh lie beyond their buffer")),
+    }
 }

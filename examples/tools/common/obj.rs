@@ -19,7 +19,7 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Triangles, Box<dyn Error>> {
         for face in mesh.indices.chunks_exact(3) {
             // The loader has checked the indices.
             let coordinate =
-                |corner: usize, i: usize| f64::from(mesh.positions[3 * face[corner] as usize + i]);
+                |corner: usize, i: usize| mesh.positions[3 * face[corner] as usize + i];
             let point = |corner| [0, 1, 2].map(|i| coordinate(corner, i));
             triangles.push([0, 1, 2].map(point));
         }
@@ -30,6 +30,8 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Triangles, Box<dyn Error>> {
 /// The vertex and face lines of an OBJ file. Faces lose their texture and normal indices, so that
 /// an error in unused data does not refuse the file.
 fn geometry_of_obj(bytes: &[u8]) -> String {
+    // Some editors begin a file with a mark of its order of bytes.
+    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     let text = String::from_utf8_lossy(bytes).replace("\\\r\n", " ").replace("\\\n", " ");
     let mut geometry = String::with_capacity(text.len());
     for line in text.lines() {

@@ -10,19 +10,19 @@ use crate::mesh::{Triangles, fan};
 
 /// A vertex or a face, whichever properties it has.
 struct Element {
-    point: [f64; 3],
+    point: [Option<f64>; 3],
     corners: Vec<i64>,
 }
 
 impl PropertyAccess for Element {
     fn new() -> Self {
-        Self { point: [0.0; 3], corners: Vec::new() }
+        Self { point: [None; 3], corners: Vec::new() }
     }
 
     fn set_property(&mut self, name: &str, property: Property) -> PropertyAccessResult {
         let axis = ["x", "y", "z"].iter().position(|axis| *axis == name);
         match (axis, number(&property), indices(&property)) {
-            (Some(axis), Some(x), _) => self.point[axis] = x,
+            (Some(axis), Some(x), _) => self.point[axis] = Some(x),
             (None, _, Some(corners)) if matches!(name, "vertex_indices" | "vertex_index") => {
                 self.corners = corners;
             }
@@ -42,10 +42,16 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Triangles, Box<dyn Error>> {
     let vertices = elements("vertex");
     let mut triangles = Vec::new();
     for face in elements("face") {
-        let point = |&i: &i64| usize::try_from(i).ok().and_then(|i| vertices.get(i));
-        let corners: Option<Vec<_>> =
-            face.corners.iter().map(|i| point(i).map(|vertex| vertex.point)).collect();
-        fan(&corners.ok_or("a face has a vertex that is not there")?, &mut triangles);
+        let mut corners = Vec::new();
+        for &i in &face.corners {
+            let vertex = usize::try_from(i).ok().and_then(|i| vertices.get(i));
+            let vertex = vertex.ok_or("a face has a vertex that is not there")?;
+            let [Some(x), Some(y), Some(z)] = vertex.point else {
+                return Err("its vertices have no x, y and z".into());
+            };
+            corners.push([x, y, z]);
+        }
+        fan(&corners, &mut triangles);
     }
     Ok(triangles)
 }

@@ -116,7 +116,7 @@ fn text<S: Fixed<Bits: std::fmt::Display>>(
     nodes: &[Node],
     parts: &[Range<usize>],
 ) -> Result<String, Box<dyn Error>> {
-    let mut out = format!("// The {name} in {scalar}, made by the example `quantise`.\n\n");
+    let mut out = format!("// The {name} in {scalar}, made by `quantise`.\n\n");
     writeln!(out, "use fixed::types::{scalar};\nuse septum::{{Vec3, mesh::Node}};\n")?;
     let bits = format!("i{}", 8 * size_of::<S>());
     writeln!(out, "const fn v(x: {bits}, y: {bits}, z: {bits}) -> Vec3<{scalar}> {{")?;

@@ -36,6 +36,7 @@ fn voxelize() {
             ("-r 1e3", "not a whole number"),
             ("-r 99999999999", "not a whole number of 32 bits"),
             ("-r 0", "at least one voxel"),
+            ("-t 1025", "not a whole number of at most 1024"),
             ("--no-picture -o a.png", "cannot be used with"),
             ("--no-pictures", "--no-pictures"),
             ("--vox", "--vox"),
@@ -56,7 +57,7 @@ fn quantise() {
             ("--scale nan", "above zero"),
             ("--scale -2", "above zero"),
             ("--scale 1e300", "beyond the range of I16F16"),
-            ("far.obj", "1.0000000150474662e30 is beyond the range of I16F16: see --scale"),
+            ("far.obj", "1e30 is beyond the range of I16F16: see --scale"),
         ],
     );
 }

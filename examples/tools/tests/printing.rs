@@ -4,7 +4,7 @@ use super::{directory, printed};
 
 const TEAPOT: &str = include_str!("../../assets/teapot.obj");
 
-/// The teapot's triangles as the file has them, in `f32`.
+/// The teapot's triangles as the file has them.
 fn triangles() -> Vec<[[f64; 3]; 3]> {
     let of = |first: &str| {
         let lines = TEAPOT.lines().map(|line| line.split_whitespace());
@@ -12,7 +12,7 @@ fn triangles() -> Vec<[[f64; 3]; 3]> {
             lines.filter_map(move |mut words| (words.next() == Some(first)).then_some(words));
         rest.map(|words| words.map(String::from).collect::<Vec<_>>()).collect::<Vec<_>>()
     };
-    let number = |word: &String| f64::from(word.parse::<f32>().unwrap());
+    let number = |word: &String| word.parse::<f64>().unwrap();
     let vertices: Vec<[f64; 3]> =
         of("v").iter().map(|words| [0, 1, 2].map(|i| number(&words[i]))).collect();
     let index = |word: &String| word.split('/').next().unwrap().parse::<usize>().unwrap() - 1;

@@ -49,11 +49,12 @@ fn main() -> ExitCode {
 }
 
 fn run(options: &Options) -> Result<(), Box<dyn Error>> {
-    check_resolution(options.resolution, options.scalar)?;
+    check_resolution(options)?;
     let reading = Progress::of_unknown_length("Reading");
     let mesh = Mesh::load(&options.meshes, options.up)?;
     let reading = reading.finish();
-    let placed = placement::place(&mesh.triangles, options.resolution)?;
+    let placed =
+        placement::place(&mesh.triangles, options.resolution, options.rule.layers_beyond())?;
     let outputs = Output::all(options, &mesh.name)?;
     let task = task(options, !outputs.is_empty())?;
     if task.keep {
@@ -138,15 +139,18 @@ fn compared(options: &Options, grid: &Grid, other: &Grid) -> String {
     line("compared", &what)
 }
 
-fn check_resolution(resolution: u32, scalar: ScalarType) -> Result<(), String> {
+fn check_resolution(options: &Options) -> Result<(), String> {
+    let (resolution, scalar) = (options.resolution, options.scalar);
     if resolution == 0 {
         return Err("--resolution 0: a grid needs at least one voxel".into());
     }
-    let holds = |s: ScalarType| u64::from(resolution) <= s.finest_grid();
+    let more = options.rule.layers_beyond();
+    let most = |s: ScalarType| s.finest_grid() - u64::from(more);
+    let holds = |s: ScalarType| u64::from(resolution) <= most(s);
     if holds(scalar) {
         return Ok(());
     }
-    let (name, finest) = (scalar.name(), scalar.finest_grid());
+    let (name, finest) = (scalar.name(), most(scalar));
     let others = [ScalarType::I16F16, ScalarType::I32F32, ScalarType::F32, ScalarType::F64];
     let wide: Vec<_> = others.into_iter().filter(|&s| holds(s)).map(ScalarType::name).collect();
     Err(format!(
@@ -182,7 +186,7 @@ fn report(
     let share = 100.0 * set as f64 / all;
     lines.push(("set", format!("{} voxels, {share:.1} % of the grid", HumanCount(set))));
     match filled.open_rows {
-        Some(0) => lines.push(("inside", "of a closed mesh".into())),
+        Some(0) => lines.push(("inside", "closed along every row".into())),
         Some(open) => {
             let rows = HumanCount(open);
             lines.push(("inside", format!("the mesh is open: {rows} rows have no inside")));

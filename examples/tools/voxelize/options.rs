@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Parser, ValueEnum};
 use septum::voxel::Rule;
-use septum_tools::cli::any;
+use septum_tools::cli::{any, valid};
 use septum_tools::mesh::Up;
 
 /// Voxelizes triangle meshes, exactly: the surface, or the inside too. Draws the result, or writes
@@ -41,7 +41,8 @@ pub(crate) struct Options {
 
     /// Threads; 0 for one for each core
     #[arg(short, long, value_name = "N", default_value_t = 0,
-        value_parser = any::<usize>("a whole number"), allow_negative_numbers = true)]
+        value_parser = valid::<usize>("a whole number of at most 1024", |&n| n <= 1024),
+        allow_negative_numbers = true)]
     pub(crate) threads: usize,
 
     /// Find the voxels by this method too, and draw both side by side: voxels that only the first
@@ -174,6 +175,12 @@ impl RuleName {
             Self::HalfOpen => Rule::HalfOpen,
             Self::Thin => Rule::Thin,
         }
+    }
+
+    /// The layers of voxels that a mesh marks beyond its greatest coordinates: a half-open voxel has its
+    /// lower sides alone.
+    pub(crate) fn layers_beyond(self) -> u32 {
+        u32::from(self != Self::Closed)
     }
 
     /// The name on the command line.

@@ -9,6 +9,9 @@ pub(crate) const MOST_VOXELS: f64 = (1_u64 << 33) as f64;
 /// The most voxels along a side.
 const LONGEST_SIDE: u32 = 1 << 16;
 
+/// More voxels than rounding to a scalar moves a coordinate.
+const ROUNDED: f64 = 1.0 / 128.0;
+
 /// A mesh in grid coordinates. A voxel has edges of length one and corners at whole
 /// numbers. The origin is a corner in the middle of the grid, so that all coordinates
 /// are as small as possible.
@@ -24,11 +27,14 @@ pub(crate) struct Placed {
 /// Scales the mesh so that its longest side spans `resolution` voxels, and centres it in the
 /// smallest grid that holds it.
 ///
+/// On axes along which the mesh fills the grid, `layers_beyond` are added at the end.
+///
 /// Multiplication comes before division, so that a coordinate that is a whole number of voxels
 /// becomes exactly that number.
 pub(crate) fn place(
     triangles: &[[[f64; 3]; 3]],
     resolution: u32,
+    layers_beyond: u32,
 ) -> Result<Placed, Box<dyn Error>> {
     let points = || triangles.iter().flatten();
     let least: [f64; 3] = [0, 1, 2].map(|i| points().map(|p| p[i]).fold(f64::INFINITY, f64::min));
@@ -39,6 +45,11 @@ pub(crate) fn place(
         return Err("the mesh is a single point: it has no size to scale to a grid".into());
     }
 
+    if !(longest * f64::from(resolution)).is_finite() {
+        return Err(
+            "the mesh is too large: --resolution times its longest side is beyond f64".into()
+        );
+    }
     if resolution > LONGEST_SIDE {
         return Err(format!("--resolution {resolution}: at most {LONGEST_SIDE} is allowed").into());
     }
@@ -46,6 +57,8 @@ pub(crate) fn place(
     // A flat mesh lies in one layer of voxels.
     let size = extent.map(|e| scaled(e).ceil().max(1.0));
     let margin = [0, 1, 2].map(|i| (size[i] - scaled(extent[i])) / 2.0);
+    let beyond = margin.map(|m| if m < ROUNDED { f64::from(layers_beyond) } else { 0.0 });
+    let size = [0, 1, 2].map(|i| size[i] + beyond[i]);
     let middle = size.map(|n| (n / 2.0).ceil());
     let placed = |p: [f64; 3]| [0, 1, 2].map(|i| scaled(p[i] - least[i]) + margin[i] - middle[i]);
     let edge = longest / f64::from(resolution);

@@ -145,13 +145,46 @@ fn rules_and_the_inside() {
         assert_eq!(set(&format!("--rule thin --threads {threads}")), set("--rule thin"));
     }
     let report = desk.succeed("box.obj -r 16 --no-picture --solid");
-    assert!(report.contains("of a closed mesh"), "{report}");
+    assert!(report.contains("closed along every row"), "{report}");
     let open: String =
         span.lines().filter(|line| *line != "f 2 4 8 6").map(|l| format!("{l}\n")).collect();
     desk.write("open.obj", open);
     let report = desk.succeed("open.obj -r 16 --no-picture --solid");
     assert!(report.contains("the mesh is open: 196 rows"), "{report}");
     desk.fail("box.obj --rule thin --method per-voxel", &["--rule thin", "--method rows"]);
+}
+
+/// The faces at the greatest coordinates belong to the voxels after them.
+#[test]
+fn a_cube_keeps_its_sides_by_every_rule() {
+    let desk = Desk::new("upper");
+    desk.write("cube.obj", cuboid([0; 3], [30; 3], 0));
+    // By the thin rule a face marks no voxel beyond its edges.
+    for (rule, expected) in [
+        ("closed", 30_u64.pow(3) - 28_u64.pow(3)),
+        ("half-open", 31_u64.pow(3) - 29_u64.pow(3)),
+        ("thin", 6 * 30_u64.pow(2) - 3 * 30 + 1),
+    ] {
+        for scalar in SCALARS {
+            let report =
+                desk.succeed(&format!("cube.obj -r 30 --rule {rule} -s {scalar} --no-picture"));
+            assert_eq!(figure(&report, "set"), expected, "{rule} {scalar}");
+        }
+    }
+    desk.fail("cube.obj -r 255 -s i8f8 --rule thin", &["i8f8 can hold at most 254", "i16f16"]);
+}
+
+/// Far from the origin `f32` holds no difference of these coordinates.
+#[test]
+fn vertices_are_read_in_f64() {
+    let desk = Desk::new("far");
+    desk.write("a.obj", TRIANGLE);
+    let far =
+        TRIANGLE.replace("v 0 ", "v 4503599627370496 ").replace("v 4 ", "v 4503599627370500 ");
+    desk.write("b.obj", far);
+    assert_eq!(desk.voxels("a.obj -r 8 -s f64"), desk.voxels("b.obj -r 8 -s f64"));
+    desk.write("marked.obj", format!("\u{feff}{TRIANGLE}"));
+    assert_eq!(desk.voxels("a.obj -r 8"), desk.voxels("marked.obj -r 8"));
 }
 
 #[test]
@@ -184,6 +217,46 @@ fn several_meshes_and_gltf() {
     desk.fail("cut.gltf", &["cut.gltf", "none.bin"]);
     desk.write("no.glb", "glTF");
     desk.fail("no.glb", &["no.glb", "not a valid glTF"]);
+}
+
+/// Numbers of another type than theirs, or fewer than are said to be there.
+#[test]
+fn gltf_that_is_wrong_is_refused() {
+    let desk = Desk::new("wrong");
+    let mut buffer = Vec::new();
+    for x in [0.0_f32, 0.0, 0.0, 4.0, 0.0, 0.0, 0.0, 3.0, 1.0] {
+        buffer.extend(x.to_le_bytes());
+    }
+    buffer.extend([0_u32, 1, 2].map(u32::to_le_bytes).as_flattened());
+    desk.write("t.bin", &buffer);
+    let gltf = r#"{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
+        "meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],
+        "buffers":[{"byteLength":48,"uri":"t.bin"}],
+        "bufferViews":[{"buffer":0,"byteLength":36},{"buffer":0,"byteOffset":36,"byteLength":12}],
+        "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3",
+        "min":[0,0,0],"max":[4,3,1]},
+        {"bufferView":1,"componentType":5125,"count":3,"type":"SCALAR"}]}"#;
+    desk.write("t.gltf", gltf);
+    desk.write("t.obj", TRIANGLE);
+    assert_eq!(desk.voxels("t.gltf -r 8"), desk.voxels("t.obj -r 8"));
+    let (indices, positions) = ("the indices of a mesh", "the positions of a mesh");
+    for (from, to, says) in [
+        (r#"5125,"count":3"#, r#"5125,"count":4"#, [indices, "beyond their buffer"]),
+        (r#"5125,"count":3"#, r#"5125,"count":1000000000000"#, [indices, "beyond their buffer"]),
+        (r#"5125,"count":3"#, r#"5125,"count":2"#, ["a mesh of triangles", "2 corners"]),
+        (
+            r#"36,"byteLength":12"#,
+            r#"36,"byteLength":1000000000"#,
+            [indices, "beyond their buffer"],
+        ),
+        (r#""byteLength":48"#, r#""byteLength":10"#, [positions, "beyond their buffer"]),
+        ("5125", "5126", [indices, "a type that is not theirs"]),
+        ("VEC3", "VEC2", [positions, "a type that is not theirs"]),
+        (r#"5126,"count":3"#, r#"5123,"count":3"#, [positions, "a type that is not theirs"]),
+    ] {
+        desk.write("wrong.gltf", gltf.replace(from, to));
+        desk.fail("wrong.gltf", &["wrong.gltf", says[0], says[1]]);
+    }
 }
 
 /// The colours of wrong voxels, in the right half only.

@@ -22,13 +22,17 @@ fn bad_meshes() {
         desk.write("face.ply", ply_with_face(face));
         desk.fail("face.ply", &["face.ply", "a vertex that is not there"]);
     }
+    desk.write("flat.ply", ply_with_face("3 0 1 1").replace("float z", "float w"));
+    desk.fail("flat.ply", &["flat.ply", "no x, y and z"]);
+    desk.write("large.obj", TRIANGLE.replace('4', "1e308"));
+    desk.fail("large.obj", &["too large"]);
     desk.write("empty.obj", "# nothing\nv 1 2 3\n");
     desk.fail("empty.obj", &["empty.obj", "no triangles"]);
     desk.write("empty.stl", [0; 84]);
     desk.fail("empty.stl", &["empty.stl", "no triangles"]);
     desk.write("nothing.stl", "");
     desk.fail("nothing.stl", &["nothing.stl", "too short"]);
-    for x in ["nan", "inf", "-inf", "1e39"] {
+    for x in ["nan", "inf", "-inf", "1e309"] {
         desk.write("number.obj", TRIANGLE.replace('4', x));
         desk.fail("number.obj", &["number.obj", "triangle 1", "NaN or infinite"]);
     }
@@ -60,8 +64,9 @@ const PLY_POINTS: &str =
 
 fn ply_with_face(face: &str) -> String {
     format!(
-        "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nelement face 1\n\
-         property list uchar int vertex_indices\nend_header\n1\n2\n{face}\n"
+        "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\n\
+         property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n\
+         1 2 3\n2 3 4\n{face}\n"
     )
 }
 
