@@ -12,7 +12,7 @@ fn load(path: &str) -> Result<Level, Box<dyn std::error::Error>> {
     let (mut vertices, mut faces) = (Vec::new(), Vec::new());
     for tobj::Model { mesh, .. } in tobj::load_obj(path, &tobj::GPU_LOAD_OPTIONS)?.0 {
         let first = vertices.len() as u32;
-        vertices.extend(mesh.positions.chunks_exact(3).map(|p| [p[0], p[1], p[2]]));
+        vertices.extend(mesh.positions.chunks_exact(3).map(|p| [0, 1, 2].map(|k| p[k] as f32)));
         faces.extend(mesh.indices.chunks_exact(3).map(|i| [0, 1, 2].map(|k| first + i[k])));
     }
     Ok(Level { ground: OwnedTree::new(vertices, faces)? })

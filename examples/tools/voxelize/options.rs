@@ -31,7 +31,8 @@ pub(crate) struct Options {
     #[arg(short, long, value_enum, ignore_case = true, default_value_t = Method::Rows)]
     pub(crate) method: Method,
 
-    /// Which voxels a triangle marks; all methods but rows know closed ones alone
+    /// Which voxels a triangle marks; all methods but rows know closed ones alone. By other rules the grid has a
+    /// layer more, for faces at the greatest coordinates
     #[arg(long, value_enum, ignore_case = true, default_value_t = RuleName::Closed)]
     pub(crate) rule: RuleName,
 
