@@ -198,8 +198,8 @@ impl<S: Scalar> Grid<S> {
         compare(p, x)
     }
 
-    /// Returns to − from in cells, with a relative error of less than six roundoffs, of which a subnormal
-    /// reciprocal has four.
+    /// Returns to − from in cells, with a relative error of less than six roundoffs: a subnormal reciprocal
+    /// errs by four.
     pub(super) fn length(&self, axis: usize, from: S, to: S) -> f64 {
         to.units_beyond(from) * self.per_cell[axis]
     }

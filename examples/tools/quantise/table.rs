@@ -8,10 +8,10 @@ use std::ops::Range;
 use fixed::traits::{Fixed, ToFixed};
 use septum::Scalar;
 use septum::mesh::{MeshError, Node, OwnedTree};
+use septum_tools::mesh::Mesh;
 
 use crate::options::Options;
 use crate::solid::{Face, caps, open_edges, sort_into_parts};
-use septum_tools::mesh::Mesh;
 
 /// A mesh with rounded vertices, each once.
 struct Rounded<S> {
