@@ -55,9 +55,10 @@ impl Scene {
             let far = first.abs().max(end.abs()) >= (1_u64 << 53) as f64;
             if far || end - first > LONGEST_SIDE {
                 return Err(format!(
-                    "boxes of {} are too small, or too far from the origin: a triangle would have \
-                     {} along a side, from number {} on",
+                    "boxes of {} are too small for the mesh, the way and a tolerance of {}, or too \
+                     far from the origin: a triangle would have {} along a side, from number {} on",
                     sig(cell),
+                    sig(tolerance),
                     sig(end - first),
                     sig(first)
                 ));

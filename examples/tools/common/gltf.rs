@@ -128,17 +128,29 @@ fn check(
     if !has_type {
         return Err(format!("the {what} of a mesh have a type that is not theirs"));
     }
-    let is_within = || {
-        // Without a view all are zero, or all are given one by one.
-        let Some(view) = accessor.view() else { return Some(accessor.sparse().is_some()) };
-        let stride = view.stride().unwrap_or(accessor.size());
-        let last = accessor.count().checked_sub(1)?.checked_mul(stride)?;
-        let end = last.checked_add(accessor.offset())?.checked_add(accessor.size())?;
-        let end_of_view = view.offset().checked_add(view.length())?;
-        Some(end <= view.length() && end_of_view <= view.buffer().length())
-    };
-    match is_within() {
-        Some(true) => Ok(()),
-        _ => Err(format!("the {what} of a mesh lie beyond their buffer")),
+    let size = accessor.size();
+    let mut places = Vec::new();
+    if let Some(view) = accessor.view() {
+        let stride = view.stride().unwrap_or(size);
+        places.push((view, accessor.offset(), accessor.count(), stride, size));
     }
+    // Some are given one by one, by their indices.
+    if let Some(sparse) = accessor.sparse() {
+        let (indices, values, count) = (sparse.indices(), sparse.values(), sparse.count());
+        let of_index = indices.index_type().size();
+        places.push((indices.view(), indices.offset(), count, of_index, of_index));
+        places.push((values.view(), values.offset(), count, size, size));
+    }
+    let are_within = places.iter().all(|(view, offset, count, stride, size)| {
+        let end = || {
+            let last = count.checked_sub(1)?.checked_mul(*stride)?;
+            let end = last.checked_add(*offset)?.checked_add(*size)?;
+            (end <= view.length()).then(|| view.offset().checked_add(view.length()))?
+        };
+        end().is_some_and(|end| end <= view.buffer().length())
+    });
+    if places.is_empty() || !are_within {
+        return Err(format!("the {what} of a mesh lie beyond their buffer"));
+    }
+    Ok(())
 }

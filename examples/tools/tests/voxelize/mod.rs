@@ -240,7 +240,15 @@ fn gltf_that_is_wrong_is_refused() {
     desk.write("t.obj", TRIANGLE);
     assert_eq!(desk.voxels("t.gltf -r 8"), desk.voxels("t.obj -r 8"));
     let (indices, positions) = ("the indices of a mesh", "the positions of a mesh");
+    // All positions are zero but three, given one by one.
+    let base = r#""bufferView":0,"componentType":5126,"count":3,"#;
+    let sparse = r#""componentType":5126,"count":3,"sparse":{"count":3,
+        "indices":{"bufferView":1,"componentType":5125},"values":{"bufferView":0}},"#;
+    desk.write("sparse.gltf", gltf.replace(base, sparse));
+    assert_eq!(desk.voxels("sparse.gltf -r 8"), desk.voxels("t.obj -r 8"));
+    let more = sparse.replace(r#"{"count":3"#, r#"{"count":4"#);
     for (from, to, says) in [
+        (base, &more[..], [positions, "beyond their buffer"]),
         (r#"5125,"count":3"#, r#"5125,"count":4"#, [indices, "beyond their buffer"]),
         (r#"5125,"count":3"#, r#"5125,"count":1000000000000"#, [indices, "beyond their buffer"]),
         (r#"5125,"count":3"#, r#"5125,"count":2"#, ["a mesh of triangles", "2 corners"]),
