@@ -10,12 +10,11 @@ use super::ends::{enclosed, enclosed_on_line};
 use super::filtered::{Filtered, compare_quotient};
 use super::float::{FirstFloat, InFloat};
 use super::integer::{Int8, Int16, Int32, Int64, IntNear, below};
-use super::number::Number;
 use super::parts::exp2;
 use super::quotient::{Dividend, nearest_of_all, nearest_whole, nearest_whole_of_row};
 use super::system::{Arithmetic, Embeds, convert};
 use super::window::{Limbs2, Limbs4, ShortWindow, Window};
-use super::words::{InRaw, InWholeWord, InWord, WholeVolume, WholeWord, Word};
+use super::words::InRaw;
 use fixed::types::extra::{LeEqU8, LeEqU16, LeEqU32, LeEqU64};
 use fixed::{FixedI8, FixedI16, FixedI32, FixedI64};
 
@@ -114,50 +113,6 @@ embeds! { window, #[inline]:
     FixedI16, LeEqU16, ShortWindow, i64, Limbs2, |_all| true;
     FixedI32, LeEqU32, ShortWindow, i64, Limbs2, |_all| true;
     FixedI64, LeEqU64, Window, i128, Limbs4, |_all| true;
-}
-
-/// The raw bits of a type, in a word that holds them.
-impl<S: InRaw, W: Word> InWord<W> for S {
-    const ALWAYS_NEAR: bool = S::BITS < W::BITS;
-
-    #[inline(always)]
-    fn in_word(self) -> W {
-        const { assert!(S::BITS <= W::BITS) }
-        W::last_of(self.raw().into())
-    }
-}
-
-/// The places of one. It takes one place more than the numbers below it, if the type has that many.
-const fn places_of_one<S: InRaw>() -> u32 {
-    let fraction = S::FRACTION_BITS as u32;
-    if fraction < S::BITS { fraction + 1 } else { fraction }
-}
-
-/// Quotients of volumes in a word, place by place.
-impl<S: InRaw<Raw = i32> + InWord<W>, W: WholeWord> InWholeWord<W> for S {
-    #[inline(always)]
-    fn one() -> Option<W> {
-        W::power_of_two(S::FRACTION_BITS as u32)
-    }
-    #[inline(always)]
-    fn divided(num: W::Whole, den: W::Whole) -> Self {
-        let q = num.magnitude().nearest(den, S::FRACTION_BITS as u32, S::BITS);
-        Self::clamped(if num < W::Whole::ZERO { -i64::from(q) } else { q.into() })
-    }
-    #[inline(always)]
-    fn share(num: W::Whole, den: W::Whole) -> Self {
-        Self::clamped(num.nearest(den, S::FRACTION_BITS as u32, places_of_one::<S>()).into())
-    }
-    #[inline(always)]
-    fn portion(num: W::Whole, den: W::Whole) -> Self {
-        let quotient = num.places(den, S::FRACTION_BITS as u32, places_of_one::<S>());
-        Self::clamped(quotient.map_or(S::GREATEST, |(q, _)| q.into()))
-    }
-    #[inline(always)]
-    fn compare_quotient(num: W::Whole, den: W::Whole, t: Self) -> Ordering {
-        let fraction = S::FRACTION_BITS as u32;
-        WholeVolume::compare_quotient(num, den, fraction, S::BITS, t.raw().into())
-    }
 }
 
 /// The raw bits of a type, in a word of the machine, and in the floats that are asked first and second,

@@ -84,7 +84,7 @@ pub(crate) use wide::I256;
 #[cfg(feature = "fixed")]
 pub use window::ShortWindow;
 pub use window::Window;
-pub use words::{InRaw, InWholeWord, InWord, ProductSum, Raw, WholeVolume, WholeWord, Word};
+pub use words::{InRaw, ProductSum, Raw, WholeVolume, WholeWord, Word};
 pub(crate) use words::{cross_words, dot_words, first_sign};
 
 #[cfg(test)]

@@ -262,24 +262,17 @@ mod owned {
     use super::{Deserialize, Deserializer, Error, Scalar, Serialize, Serializer, Vec3};
     use crate::mesh::{Index, OwnedTree};
 
-    #[derive(serde::Serialize)]
-    #[serde(rename = "OwnedTree")]
-    struct Lent<'a, S, I> {
-        vertices: &'a [Vec3<S>],
-        triangles: &'a [[I; 3]],
-    }
-
-    #[derive(serde::Deserialize)]
+    #[derive(serde::Serialize, serde::Deserialize)]
     #[serde(rename = "OwnedTree", deny_unknown_fields)]
-    struct Read<S, I> {
-        vertices: Vec<Vec3<S>>,
-        triangles: Vec<[I; 3]>,
+    struct Parts<V, T> {
+        vertices: V,
+        triangles: T,
     }
 
     impl<S: Scalar + Serialize, I: Index + Serialize> Serialize for OwnedTree<S, I> {
         fn serialize<W: Serializer>(&self, to: W) -> Result<W::Ok, W::Error> {
             let mesh = self.mesh();
-            Lent { vertices: mesh.vertices(), triangles: mesh.triangles() }.serialize(to)
+            Parts { vertices: mesh.vertices(), triangles: mesh.triangles() }.serialize(to)
         }
     }
 
@@ -289,7 +282,7 @@ mod owned {
         I: Index + Deserialize<'de>,
     {
         fn deserialize<R: Deserializer<'de>>(from: R) -> Result<Self, R::Error> {
-            let Read { vertices, triangles } = Read::deserialize(from)?;
+            let Parts { vertices, triangles } = Parts::<Vec<Vec3<S>>, Vec<_>>::deserialize(from)?;
             Self::new(vertices, triangles).map_err(R::Error::custom)
         }
     }

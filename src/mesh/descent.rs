@@ -93,7 +93,7 @@ impl<S: Scalar> Cast<S> for Ray<S> {
 /// A ray on its way down the tree.
 #[derive(Clone, Debug)]
 pub(super) struct Descent<S: Scalar, R = Ray<S>> {
-    ray: R,
+    pub(super) ray: R,
     grid: Grid<S>,
     fast: GridRay,
     /// The part of the grid that the ray can reach, for the exact test.

@@ -1,6 +1,5 @@
 //! Ray casts through a tree.
 
-use core::cmp::Ordering;
 use core::ops::{ControlFlow, Range};
 
 use super::descent::sealed::Cast;
@@ -130,11 +129,7 @@ impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
         if is_same(&met(&of_a, a.feature), &met(&of_b, b.feature)) {
             return i < j;
         }
-        match ray.compare((&of_a, a.t), (&of_b, b.t)) {
-            Ordering::Less => true,
-            Ordering::Equal => i < j,
-            Ordering::Greater => false,
-        }
+        ray.compare((&of_a, a.t), (&of_b, b.t)).then(i.cmp(&j)).is_lt()
     }
 
     /// Does a ray hit any triangle?
@@ -158,8 +153,7 @@ impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
     pub(super) fn has_hit<R: Cast<S>>(&self, ray: &R, rules: HitRules) -> bool {
         let is_hit = |i: usize| ray.is_hit(&self.mesh.known(i), rules);
         if !REGISTERS_ARE_WIDE {
-            let mut near = LeafTriangles::new(self, ray);
-            return core::iter::from_fn(|| near.next(self, ray)).any(is_hit);
+            return LeafTriangles::new(self, ray).any(is_hit);
         }
         let mut descent = Descent::new(&self.grid, ray);
         descend(self.nodes, &self.layout, &mut descent, |_, leaf| {
@@ -245,29 +239,34 @@ impl Iterator for Near {
 
 /// The triangles in the leaves that a ray meets.
 #[derive(Clone, Debug)]
-struct LeafTriangles<S: Scalar, R> {
+struct LeafTriangles<'t, 'a, S: Scalar, I, R> {
+    tree: &'t Tree<'a, S, I>,
     descent: Descent<S, R>,
     walk: Walk,
     leaf: Near,
 }
 
-impl<S: Scalar, R: Cast<S>> LeafTriangles<S, R> {
-    fn new<I: Index>(tree: &Tree<'_, S, I>, ray: &R) -> Self {
+impl<'t, 'a, S: Scalar, I: Index, R: Cast<S>> LeafTriangles<'t, 'a, S, I, R> {
+    fn new(tree: &'t Tree<'a, S, I>, ray: &R) -> Self {
         let descent = Descent::new(&tree.grid, ray);
         let walk = Walk::new(tree.nodes, |root| descent.meets(root).mask);
-        Self { descent, walk, leaf: Near { from: 0, left: 0 } }
+        Self { tree, descent, walk, leaf: Near { from: 0, left: 0 } }
     }
+}
 
-    /// The index of the next triangle.
+impl<S: Scalar, I: Index, R: Cast<S>> Iterator for LeafTriangles<'_, '_, S, I, R> {
+    /// The index of a triangle.
+    type Item = usize;
+
     #[inline(always)]
-    fn next<I: Index>(&mut self, tree: &Tree<'_, S, I>, ray: &R) -> Option<usize> {
+    fn next(&mut self) -> Option<usize> {
         loop {
             if let Some(place) = self.leaf.next() {
-                return Some(tree.index(place));
+                return Some(self.tree.index(place));
             }
             let mask = |node: &Node| self.descent.meets(node).mask;
-            let leaf = self.walk.next(tree.nodes, &tree.layout, mask)?;
-            self.leaf = tree.not_missed(ray.ray(), leaf);
+            let leaf = self.walk.next(self.tree.nodes, &self.tree.layout, mask)?;
+            self.leaf = self.tree.not_missed(self.descent.ray.ray(), leaf);
         }
     }
 }
@@ -275,15 +274,13 @@ impl<S: Scalar, R: Cast<S>> LeafTriangles<S, R> {
 /// The triangles that a ray hits: see [`Tree::hits`].
 #[derive(Clone, Debug)]
 pub struct Hits<'t, 'a, S: Scalar, I, R = Ray<S>> {
-    tree: &'t Tree<'a, S, I>,
-    ray: R,
+    near: LeafTriangles<'t, 'a, S, I, R>,
     rules: HitRules,
-    near: LeafTriangles<S, R>,
 }
 
 impl<'t, 'a, S: Scalar, I: Index, R: Cast<S>> Hits<'t, 'a, S, I, R> {
     pub(super) fn new(tree: &'t Tree<'a, S, I>, ray: &R, rules: HitRules) -> Self {
-        Self { tree, ray: *ray, rules, near: LeafTriangles::new(tree, ray) }
+        Self { near: LeafTriangles::new(tree, ray), rules }
     }
 }
 
@@ -292,8 +289,9 @@ impl<S: Scalar, I: Index, R: Cast<S>> Iterator for Hits<'_, '_, S, I, R> {
 
     fn next(&mut self) -> Option<Self::Item> {
         loop {
-            let i = self.near.next(self.tree, &self.ray)?;
-            if let Some(hit) = self.ray.hit(&self.tree.mesh.known(i), self.rules) {
+            let i = self.near.next()?;
+            let triangle = self.near.tree.mesh.known(i);
+            if let Some(hit) = self.near.descent.ray.hit(&triangle, self.rules) {
                 return Some((i, hit));
             }
         }

@@ -1,6 +1,6 @@
 use core::cmp::Ordering;
 
-use crate::arithmetic::{Each, Parts, compare, pick, turn};
+use crate::arithmetic::{Each, Parts, Rounded, compare, cross3, pick, three, turn};
 use crate::robust::{along_axis, differences, side, singles};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, Obb, Triangle, Vec3};
@@ -103,20 +103,12 @@ pub(in crate::query) mod sealed {
 }
 
 fn unit<S: Scalar>(i: u8) -> Vec3<S> {
-    let (one, zero) = (S::plain_one(), S::ZERO);
-    match i % 3 {
-        0 => Vec3::new(one, zero, zero),
-        1 => Vec3::new(zero, one, zero),
-        _ => Vec3::new(zero, zero, one),
-    }
+    three(|k| if k == usize::from(i % 3) { S::plain_one() } else { S::ZERO }).into()
 }
 
-fn along_unit<S: Scalar>(i: u8, [from, to]: [Vec3<S>; 2]) -> Ordering {
-    match i % 3 {
-        0 => compare(to.x, from.x),
-        1 => compare(to.y, from.y),
-        _ => compare(to.z, from.z),
-    }
+fn along_unit<S: Scalar>(i: u8, way: [Vec3<S>; 2]) -> Ordering {
+    let [from, to] = way.map(|p| *pick(&p.to_array(), i.into()));
+    compare(to, from)
 }
 
 impl<S: Scalar> sealed::HasAxes<S> for Aabb<S> {
@@ -137,9 +129,7 @@ impl<S: Scalar> sealed::HasAxes<S> for Aabb<S> {
 
 /// The rounded cross product of two vectors.
 fn plain_cross<S: Scalar>(a: &[S; 3], b: &[S; 3]) -> Vec3<S> {
-    let minor = |p: S, q: S, r: S, s: S| p.plain_mul(q).plain_sub(r.plain_mul(s));
-    let ([x, y, z], [u, v, w]) = (*a, *b);
-    Vec3::new(minor(y, w, z, v), minor(z, u, x, w), minor(x, v, y, u))
+    cross3(&a.each(Rounded), &b.each(Rounded)).each(|x| x.0).into()
 }
 
 /// The vector in the opposite direction.

@@ -111,7 +111,7 @@ impl Nearness {
 
 /// What to collect from the axes: whether one separates, or the relation.
 pub(super) trait Reading {
-    type Answer;
+    type Answer: Default;
     const NONE: Self;
     /// Whether the answer distinguishes touching from overlapping.
     const TELLS_CONTACT: bool;
@@ -132,6 +132,12 @@ pub(super) trait Reading {
 
     /// The answer, given the relation.
     fn of(relation: Relation) -> Self::Answer;
+
+    /// The answer, given whether the shapes are disjoint, if they do not only touch.
+    #[inline(always)]
+    fn clear(is_disjoint: bool) -> Self::Answer {
+        Self::of(if is_disjoint { Relation::Disjoint } else { Relation::Overlapping })
+    }
 }
 
 impl Reading for Uncertain {

@@ -2,8 +2,8 @@
 
 use super::exact_sum::ExactSum;
 use crate::arithmetic::{
-    Embeds, Enclosed, Filtered, FirstFloat, Float, InFloat, InRaw, InWholeWord, InWord, Limbed,
-    Offset, Parts, REGISTERS_ARE_WIDE, RoundedOps, ShortFloat, Soft, Spanned, WholeWord, Word,
+    Embeds, Enclosed, Filtered, FirstFloat, Float, InFloat, InRaw, Limbed, Offset, Parts,
+    REGISTERS_ARE_WIDE, RoundedOps, ShortFloat, Soft, Spanned, WholeWord, Word,
 };
 
 /// A question about coordinates of the scalar `S`.
@@ -71,22 +71,16 @@ impl Profile {
 }
 
 /// A question whose pair has a kernel in words, for cores with registers of 32 bits.
-pub trait WordKernel<S>: Predicate<S> {
+pub trait WordKernel<S: InRaw>: Predicate<S> {
     /// The answer in words of `W` without volumes, if the shapes are close enough to each other.
     #[inline(always)]
-    fn narrow<W: Word>(&self) -> Option<Self::Answer>
-    where
-        S: InWord<W>,
-    {
+    fn narrow<W: Word>(&self) -> Option<Self::Answer> {
         None
     }
 
     /// The answer in words of `W` and their volumes, likewise.
     #[inline(always)]
-    fn narrow_volumes<W: WholeWord>(&self) -> Option<Self::Answer>
-    where
-        S: InWholeWord<W>,
-    {
+    fn narrow_volumes<W: WholeWord>(&self) -> Option<Self::Answer> {
         None
     }
 }

@@ -2,9 +2,8 @@
 
 use super::{Backend, FixedBackend, Scalar};
 use crate::arithmetic::{
-    Embeds, Filtered, InRaw, InWholeWord, Int8, Int16, Int32, Int64, OfFour, Parts, Quad,
-    REGISTERS_ARE_WIDE, RoundedOps, SMALL_CODE, ShortFloat, ShortWindow, Soft, WholeWord, Window,
-    quotient_of_sums,
+    Embeds, Filtered, InRaw, Int8, Int16, Int32, Int64, OfFour, Parts, Quad, REGISTERS_ARE_WIDE,
+    RoundedOps, SMALL_CODE, ShortFloat, ShortWindow, Soft, WholeWord, Window, quotient_of_sums,
 };
 use crate::robust::{
     Numeric, Predicate, Stage, Sum, WordKernel, exact_stage, in_quads, integer_stage, note,
@@ -189,7 +188,7 @@ scalar!(
 
 /// The answer of a kernel in words of `W`: without volumes, or with them.
 #[inline(always)]
-fn in_words<W: WholeWord, S: InWholeWord<W>, K: WordKernel<S>>(kernel: &K) -> Option<K::Answer> {
+fn in_words<W: WholeWord, S: InRaw, K: WordKernel<S>>(kernel: &K) -> Option<K::Answer> {
     within(kernel.narrow::<W>().or_else(|| kernel.narrow_volumes::<W>()))
 }
 

@@ -78,6 +78,14 @@ impl<S: Scalar> Ray<S> {
         let is_after = self.t_min.is_none_or(|t_min| t_min <= t_max);
         Self { t_max: if is_after { Some(t_max) } else { self.t_min }, ..self }
     }
+
+    /// The origin, the direction, and the ends of the range, where it has them.
+    #[inline(always)]
+    pub(crate) fn numbers(&self) -> [[S; 3]; 3] {
+        let end = |t: Option<S>| t.unwrap_or(S::ZERO);
+        let range = [end(self.t_min), end(self.t_max), S::ZERO];
+        [self.origin.to_array(), self.direction.to_array(), range]
+    }
 }
 
 overlaps_methods!(

@@ -9,4 +9,4 @@ pub use places::WholeVolume;
 #[cfg(test)]
 pub(crate) use product_sum::SplitSum;
 pub(crate) use product_sum::{cross_words, dot_words, first_sign};
-pub use word::{InRaw, InWholeWord, InWord, ProductSum, Raw, RawOffset, WholeWord, Word};
+pub use word::{InRaw, ProductSum, Raw, RawOffset, WholeWord, Word};

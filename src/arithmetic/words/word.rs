@@ -183,33 +183,6 @@ pub trait WholeWord: Word {
     }
 }
 
-/// A scalar whose raw bits fit such a word.
-pub trait InWholeWord<W: WholeWord>: InWord<W> {
-    /// One, if the word holds it and leaves one bit to spare.
-    fn one() -> Option<W>;
-
-    /// num/den to the nearest, ties to even, or the end of the type; `den` is above zero.
-    fn divided(num: W::Whole, den: W::Whole) -> Self;
-
-    /// num/den likewise, if it is from zero to one.
-    fn share(num: W::Whole, den: W::Whole) -> Self;
-
-    /// num/den rounded down, or the end of the type, if it is above zero and at most one.
-    fn portion(num: W::Whole, den: W::Whole) -> Self;
-
-    /// How num/den compares with `t`; `den` is above zero.
-    fn compare_quotient(num: W::Whole, den: W::Whole, t: Self) -> Ordering;
-}
-
-/// A scalar whose raw bits fit a word.
-pub trait InWord<W: Word> {
-    /// Whether two points and a box around a third are always within the range of each other.
-    const ALWAYS_NEAR: bool;
-
-    /// The raw bits.
-    fn in_word(self) -> W;
-}
-
 /// A word of raw bits, and the number of last places in a unit.
 pub trait RawOffset: Sized {
     /// The limit of coordinates.
@@ -278,5 +251,59 @@ pub trait InRaw: Copy {
     fn held(raw: i128) -> Option<Self> {
         let raw = i64::try_from(raw).ok()?;
         (-Self::GREATEST - 1..=Self::GREATEST).contains(&raw).then(|| Self::from_raw(raw))
+    }
+
+    /// The raw bits, in a word that holds them.
+    #[inline(always)]
+    fn in_word<W: Word>(self) -> W {
+        const { assert!(Self::BITS <= W::BITS) }
+        W::last_of(self.raw().into())
+    }
+
+    /// Whether two points and a box around a third are always within the range of each other in a word.
+    #[must_use]
+    fn is_always_near<W: Word>() -> bool {
+        Self::BITS < W::BITS
+    }
+
+    /// One, if the word holds it and leaves one bit to spare.
+    #[inline(always)]
+    fn one_in<W: WholeWord>() -> Option<W> {
+        W::power_of_two(Self::FRACTION_BITS as u32)
+    }
+
+    /// The places of one. It takes one place more than the numbers below it, if the type has that many.
+    #[inline(always)]
+    fn places_of_one() -> u32 {
+        let fraction = Self::FRACTION_BITS as u32;
+        if fraction < Self::BITS { fraction + 1 } else { fraction }
+    }
+
+    /// num/den to the nearest, ties to even, or the end of the type, place by place; `den` is above zero.
+    #[inline(always)]
+    fn divided<V: WholeVolume>(num: V, den: V) -> Self {
+        let q = num.magnitude().nearest(den, Self::FRACTION_BITS as u32, Self::BITS);
+        Self::clamped(if num < V::ZERO { -i64::from(q) } else { q.into() })
+    }
+
+    /// num/den likewise, if it is from zero to one.
+    #[inline(always)]
+    fn share<V: WholeVolume>(num: V, den: V) -> Self {
+        let q = num.nearest(den, Self::FRACTION_BITS as u32, Self::places_of_one());
+        Self::clamped(q.into())
+    }
+
+    /// num/den rounded down, or the end of the type, if it is above zero and at most one.
+    #[inline(always)]
+    fn portion<V: WholeVolume>(num: V, den: V) -> Self {
+        let quotient = num.places(den, Self::FRACTION_BITS as u32, Self::places_of_one());
+        Self::clamped(quotient.map_or(Self::GREATEST, |(q, _)| q.into()))
+    }
+
+    /// How num/den compares with `t`; `den` is above zero.
+    #[inline(always)]
+    fn compare_quotient<V: WholeVolume>(num: V, den: V, t: Self) -> Ordering {
+        let fraction = Self::FRACTION_BITS as u32;
+        WholeVolume::compare_quotient(num, den, fraction, Self::BITS, t.raw().into())
     }
 }

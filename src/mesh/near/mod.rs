@@ -10,7 +10,7 @@ use fixed::types::extra::LeEqU32;
 use super::descent::sealed::Cast;
 use super::overlapping::sealed::Bounded;
 use super::{Hits, Index, Overlapping, Tree};
-use crate::arithmetic::InWholeWord;
+use crate::arithmetic::InRaw;
 use crate::query::{Hit, HitRules};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, Near, Overlaps, Ray, ShapeError, Triangle};
@@ -122,7 +122,7 @@ where
 
 /// For the triangles and the boxes of a near tree alone. Its grid has steps of at most 8 units, and so
 /// no box reaches 2²⁰ units.
-impl<S: Scalar + InWholeWord<i32>> Cast<S> for Near<Ray<S>>
+impl<S: Scalar + InRaw<Raw = i32>> Cast<S> for Near<Ray<S>>
 where
     Self: Overlaps<Near<Aabb<S>>>,
 {

@@ -2,13 +2,13 @@
 
 use super::super::moving_box;
 use super::{Index, Tree};
-use crate::arithmetic::{Embeds, InWholeWord, IntNear};
+use crate::arithmetic::{Embeds, InRaw, IntNear};
 use crate::query::{FirstContact, Motion, Moving};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, Near, Triangle, Vec3};
 
 /// Moving boxes. Contacts have the same bits as in the ordinary tree.
-impl<S: Scalar + InWholeWord<i32>, I: Index> Near<Tree<'_, S, I>>
+impl<S: Scalar + InRaw<Raw = i32>, I: Index> Near<Tree<'_, S, I>>
 where
     IntNear: Embeds<S>,
 {

@@ -18,7 +18,7 @@ use self::triangle::meets_triangle;
 pub(super) use self::triangle::triangle_lies_beyond;
 use super::Overlaps;
 use super::orientation::{Vector, from};
-use super::sphere::{Ball, Beyond, Errors, OneSide, Reach, lies_beyond, meet};
+use super::sphere::{Ball, Beyond, Errors, Reach, lies_beyond, meet, meets_plane};
 use crate::arithmetic::{Arithmetic, Embeds, Number, greatest, largest, three};
 use crate::robust::{Numeric, Predicate, Profile};
 use crate::scalar::Scalar;
@@ -149,13 +149,6 @@ where
     meet(capsule, shape, ball) || capsule.segment().overlaps(shape)
 }
 
-#[inline(always)]
-fn meets_plane<S: Scalar>(capsule: &Capsule<S>, plane: &Plane<S>, ball: Ball) -> bool {
-    let (a, b) = capsule.ends();
-    let ends = [a.to_array(), b.to_array()];
-    !S::evaluate_numeric(&OneSide { plane, ends, radius: capsule.radius(), ball })
-}
-
 impl<S: Scalar> Overlaps<Segment<S>> for Capsule<S> {
     /// Do a capsule and a segment have a point in common?
     ///
@@ -241,7 +234,7 @@ impl<S: Scalar> Overlaps<Plane<S>> for Capsule<S> {
     /// ```
     #[inline]
     fn overlaps(&self, plane: &Plane<S>) -> bool {
-        meets_plane(self, plane, Ball::Closed)
+        meets_plane(self.ends().into(), self.radius(), plane, Ball::Closed)
     }
 }
 

@@ -16,7 +16,7 @@ use crate::arithmetic::{
 use crate::query::Overlaps;
 use crate::query::orientation::{Vector, from};
 use crate::query::sphere::{
-    Ball, Beyond, Errors, PRODUCT, Reach, SQUARES, Way, along, meet, numbers, product,
+    Ball, Beyond, Errors, PRODUCT, Reach, SQUARES, Way, along, meet, product,
 };
 use crate::robust::{Predicate, Profile, Uncertain};
 use crate::scalar::Scalar;
@@ -128,7 +128,7 @@ impl<S: Scalar> Predicate<S> for Beyond<'_, Capsule<S>, Ray<S>> {
 
     #[inline]
     fn filter<N: Embeds<S>>(&self) -> Option<bool> {
-        let ([a, b], [o, d, range]) = (self.ends(), numbers(self.shape));
+        let ([a, b], [o, d, range]) = (self.ends(), self.shape.numbers());
         let all = [a, b, o, d, range, [self.round.radius(); 3]];
         let [a, b, o, d, range, [r, ..]] = N::embed(&all)?;
         let (m, e) = ([from::<N>(&a, &o), from::<N>(&b, &o)], from::<N>(&b, &a));

@@ -3,10 +3,10 @@
 //! As for a [sphere](crate::query::sphere): the points nearer to the segment than the radius are an
 //! open set. A capsule of radius zero is its segment, which is also a triangle without area.
 
-use super::{meets_box, meets_plane, meets_segment, meets_triangle};
+use super::{meets_box, meets_segment, meets_triangle};
 use crate::arithmetic::Each;
 use crate::query::relation::{Relate, Relation};
-use crate::query::sphere::{meet, of_ball};
+use crate::query::sphere::{meet, meets_plane, of_ball};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, Capsule, Obb, Plane, Ray, Segment, Sphere, Triangle, Vec3};
 
@@ -70,10 +70,11 @@ impl<S: Scalar> Relate<Plane<S>> for Capsule<S> {
     fn relation(&self, plane: &Plane<S>) -> Relation {
         let without_radius = || {
             let is_on = |p| Sphere::new(p, S::ZERO).is_ok_and(|p| p.overlaps(plane));
-            let (a, b) = self.ends();
+            let [a, b] = self.ends().into();
             if is_on(a) == is_on(b) { Relation::Overlapping } else { Relation::Touching }
         };
-        of_ball(self.radius() > S::ZERO, |ball| meets_plane(self, plane, ball), without_radius)
+        let meets = |ball| meets_plane(self.ends().into(), self.radius(), plane, ball);
+        of_ball(self.radius() > S::ZERO, meets, without_radius)
     }
 }
 

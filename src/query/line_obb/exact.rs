@@ -6,7 +6,7 @@ use core::cmp::Ordering;
 use super::faces::Signs;
 use crate::arithmetic::{Each, Parts, pick, three, turn};
 use crate::query::triangle_obb::exact::{Factors, InSums, Term, signed};
-use crate::robust::{ExactSum, Vector, add_determinant, singles};
+use crate::robust::{Vector, singles};
 use crate::scalar::Scalar;
 use crate::shape::Obb;
 
@@ -24,14 +24,6 @@ pub(super) struct ExactLine<N: Factors> {
     volume: Ordering,
 }
 
-fn sum<S: Scalar>(terms: &[Term<'_, InSums<S>>]) -> S::SeptumSum {
-    let mut sum = S::SeptumSum::new();
-    for Term(factor, a, b, c) in terms {
-        add_determinant(&mut sum, [a, b, c], Some(*factor));
-    }
-    sum
-}
-
 impl<S: Scalar> ExactLine<InSums<S>> {
     pub(super) fn of(obb: &Obb<S>, m: Vector, d: Vector, ends: [Option<Parts>; 2]) -> Self {
         let u = obb.axes_as_arrays().each(singles);
@@ -45,11 +37,11 @@ impl<S: Scalar> ExactLine<InSums<S>> {
             return None;
         }
         let falls = self.is_below(i);
-        let den = sum(&[self.along(i, &self.d, S::ONE, falls)]);
+        let den = InSums::<S>::sum(&[self.along(i, &self.d, S::ONE, falls)]);
         let at = |is_near: bool| {
             let face =
                 self.volume(signed::<InSums<S>>(*pick(&self.h, i), self.volume.is_lt() != is_near));
-            let num = sum(&[self.along(i, &self.m, S::ONE, !falls), face]);
+            let num = InSums::<S>::sum(&[self.along(i, &self.m, S::ONE, !falls), face]);
             S::quotient(&num, &den)
         };
         Some((at(true), at(false)))

@@ -23,7 +23,7 @@ use super::obb_short;
 use super::triangle_obb::exact::InSums;
 use super::triangle_obb::{has_second_look, operands, way};
 use crate::arithmetic::{Each, Embeds, Float, InFloat, Number, Parts};
-use crate::arithmetic::{InRaw, REGISTERS_ARE_WIDE, SMALL_CODE};
+use crate::arithmetic::{REGISTERS_ARE_WIDE, SMALL_CODE};
 use crate::robust::{Predicate, Profile, Vector, difference, in_cut_floats, noted, single};
 use crate::scalar::{FixedBackend, Scalar};
 use crate::shape::{Obb, Ray, Segment, SegmentForm};
@@ -46,11 +46,7 @@ impl<S: Scalar> Disjoint<'_, S> {
     fn rows(&self) -> [[S; 3]; 3] {
         let none = [S::ZERO; 3];
         match self.line {
-            Line::Ray(ray) => {
-                let end = |t: Option<S>| t.unwrap_or(S::ZERO);
-                let ends = [end(ray.t_min()), end(ray.t_max()), S::ZERO];
-                [ray.origin().to_array(), ray.direction().to_array(), ends]
-            }
+            Line::Ray(ray) => ray.numbers(),
             Line::Segment(segment) => {
                 let (a, b, _) = segment.numbers();
                 [a, b, none]
@@ -151,7 +147,7 @@ impl<S: Scalar> Predicate<S> for Disjoint<'_, S> {
         S: FixedBackend,
     {
         // Vectors hold 16 bits, and leave only near contacts to other stages.
-        if REGISTERS_ARE_WIDE && <S as InRaw>::ALWAYS_NEAR {
+        if REGISTERS_ARE_WIDE && S::ALWAYS_NEAR {
             return noted(None);
         }
         // A bounded query is the same on every machine.

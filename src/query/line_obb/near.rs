@@ -2,20 +2,20 @@
 
 use super::exact::ExactLine;
 use super::{Disjoint, Line};
-use crate::arithmetic::{Each, InRaw, InWholeWord, out_of_line, three};
+use crate::arithmetic::{Each, InRaw, out_of_line, three};
 use crate::query::Overlaps;
 use crate::query::triangle_obb::exact::InWords;
 use crate::robust::Predicate;
 use crate::scalar::Scalar;
 use crate::shape::{Near, Obb, Ray, Segment, Triangle};
 
-impl<S: Scalar + InWholeWord<i32>> Disjoint<'_, S> {
+impl<S: Scalar + InRaw<Raw = i32>> Disjoint<'_, S> {
     /// The answer for a ray near the origin.
     #[cold]
     #[inline(never)]
     fn in_whole_words(&self, ray: &Ray<S>) -> bool {
         // A box is near only if a word of its type can hold one.
-        let Some(one) = S::one() else { return self.exact() };
+        let Some(one) = S::one_in() else { return self.exact() };
         let words = |row: [S; 3]| row.each(S::in_word);
         let [o, d, _] = self.rows().each(words);
         let [c, u, v, w, h] = self.obb.numbers().map(words);
@@ -25,7 +25,7 @@ impl<S: Scalar + InWholeWord<i32>> Disjoint<'_, S> {
     }
 }
 
-impl<S: Scalar + InRaw + InWholeWord<i32>> Overlaps<Near<Obb<S>>> for Near<Ray<S>> {
+impl<S: Scalar + InRaw<Raw = i32>> Overlaps<Near<Obb<S>>> for Near<Ray<S>> {
     /// Do a ray and an oriented box near the origin have a point in common?
     ///
     /// *Geometry*: the part of the ray within its range of t, whose ends belong to it, and the

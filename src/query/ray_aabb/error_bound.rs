@@ -39,22 +39,8 @@
 //! range and more than twice that size, the ray begins past the box by more than all of these
 //! errors.
 
-use crate::arithmetic::Span;
-
-/// Units in the last place, or roundoffs, of n or f.
+/// Units in the last place, or roundoffs, of n or f, for a box given by its corners.
 pub(super) const CORNERS: u16 = 10;
 
-/// Roundoffs, of the greatest |p·r| + h·|r|.
-const CENTER: u16 = 14;
-
-/// The bound for a box given by its corners, for |n| or |f|.
-#[inline(always)]
-pub(super) fn by_corners<F: Span>(size: F) -> F {
-    size.error(CORNERS)
-}
-
-/// The bound for a box given by its centre, for the greatest |p·r| + h·|r|.
-#[inline(always)]
-pub(super) fn by_center<F: Span>(size: F) -> F {
-    size.error(CENTER)
-}
+/// Roundoffs, of the greatest |p·r| + h·|r|, for a box given by its centre.
+pub(super) const CENTER: u16 = 14;

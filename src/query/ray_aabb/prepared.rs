@@ -150,7 +150,7 @@ impl<S: Scalar> PreparedRay<S> {
             }
             AabbForm::Center { center, half } => {
                 let (enter, leave, size) = self.around_center(*center, *half);
-                let error = error_bound::by_center(size);
+                let error = size.error(error_bound::CENTER);
                 self.verdict((enter + error < leave, leave < enter - error), aabb)
             }
         }
@@ -222,8 +222,8 @@ impl<S: Scalar> PreparedRay<S> {
         let Some(Slabs { near, far, size, touches }) = self.slabs(aabb) else { return false };
         let is_below = |a: S::SeptumSpan, b: S::SeptumSpan| {
             let error = match aabb.form() {
-                AabbForm::Corners { .. } => error_bound::by_corners(a.magnitude()),
-                AabbForm::Center { .. } => error_bound::by_center(size),
+                AabbForm::Corners { .. } => a.magnitude().error(error_bound::CORNERS),
+                AabbForm::Center { .. } => size.error(error_bound::CENTER),
             };
             a + error < b
         };

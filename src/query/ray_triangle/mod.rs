@@ -49,7 +49,7 @@ use self::question::Hits;
 #[cfg(feature = "fixed")]
 use self::words::rounded;
 #[cfg(feature = "fixed")]
-use crate::arithmetic::InWholeWord;
+use crate::arithmetic::InRaw;
 use crate::scalar::Scalar;
 #[cfg(feature = "fixed")]
 use crate::shape::Near;
@@ -184,7 +184,7 @@ impl<S: Scalar> Ray<S> {
 
 /// Rays near the origin, in 32-bit words.
 #[cfg(feature = "fixed")]
-impl<S: Scalar + InWholeWord<i32>> Near<Ray<S>> {
+impl<S: Scalar + InRaw<Raw = i32>> Near<Ray<S>> {
     /// [`Ray::hit`], in 32-bit words alone.
     #[inline]
     #[must_use]

@@ -8,7 +8,7 @@ use crate::arithmetic::{
     Each, Embeds, Limbed, Number, REGISTERS_ARE_WIDE, compare, order_of_products,
 };
 #[cfg(feature = "fixed")]
-use crate::arithmetic::{InWholeWord, of_four};
+use crate::arithmetic::{InRaw, of_four};
 use crate::scalar::Scalar;
 #[cfg(feature = "fixed")]
 use crate::shape::Near;
@@ -79,7 +79,7 @@ impl<S: Scalar> Ray<S> {
 }
 
 #[cfg(feature = "fixed")]
-impl<S: Scalar + InWholeWord<i32>> Near<Ray<S>> {
+impl<S: Scalar + InRaw<Raw = i32>> Near<Ray<S>> {
     /// The order of two hits of near triangles, given the t of each. Words of 64 bits hold the
     /// volumes.
     #[inline]

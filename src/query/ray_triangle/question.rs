@@ -9,7 +9,7 @@ use super::sums::hit_in_sums;
 use super::words::rounded;
 use super::{Facing, Feature, Hit};
 use crate::arithmetic::{
-    Embeds, Filtered, InWholeWord, Number, OfFour, REGISTERS_ARE_WIDE, SMALL_CODE, WholeWord,
+    Embeds, Filtered, InRaw, Number, OfFour, REGISTERS_ARE_WIDE, SMALL_CODE, WholeWord,
 };
 use crate::robust::{Clue, Numeric, Predicate, Stage, WordKernel, in_exact_numbers, note};
 use crate::scalar::{FixedBackend, Scalar};
@@ -51,13 +51,10 @@ impl<S: Scalar> Predicate<S> for Crosses<'_, S> {
     }
 }
 
-impl<S: Scalar> WordKernel<S> for Crosses<'_, S> {
+impl<S: Scalar + InRaw> WordKernel<S> for Crosses<'_, S> {
     #[inline(always)]
-    fn narrow_volumes<W: WholeWord>(&self) -> Option<Option<Hit<S>>>
-    where
-        S: InWholeWord<W>,
-    {
-        self.in_words::<W, _>(|counted| counted.map(|counted| rounded::<S, W>(&counted)))
+    fn narrow_volumes<W: WholeWord>(&self) -> Option<Option<Hit<S>>> {
+        self.in_words::<W, _>(|counted| counted.map(|counted| rounded(&counted)))
     }
 }
 
@@ -138,12 +135,9 @@ impl<S: Scalar> Predicate<S> for Hits<'_, S> {
     }
 }
 
-impl<S: Scalar> WordKernel<S> for Hits<'_, S> {
+impl<S: Scalar + InRaw> WordKernel<S> for Hits<'_, S> {
     #[inline(always)]
-    fn narrow_volumes<W: WholeWord>(&self) -> Option<bool>
-    where
-        S: InWholeWord<W>,
-    {
+    fn narrow_volumes<W: WholeWord>(&self) -> Option<bool> {
         self.0.in_words::<W, _>(|counted| counted.is_some())
     }
 }

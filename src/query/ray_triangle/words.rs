@@ -7,7 +7,7 @@ use super::crosses::Crosses;
 use super::kernel::{Crossing, Setting};
 use super::{Facing, Hit};
 use crate::arithmetic::{
-    InWholeWord, InWord, Number, WholeWord, Word, compare, cross_words, dot_words, first_sign,
+    InRaw, Number, WholeVolume, WholeWord, Word, compare, cross_words, dot_words, first_sign,
 };
 use crate::query::triangle_aabb::words::{minus, words};
 use crate::scalar::Scalar;
@@ -18,25 +18,19 @@ pub(super) struct Counted<V> {
     pub(super) volumes: Crossing<V>,
 }
 
-impl<S: Scalar> Crosses<'_, S> {
+impl<S: Scalar + InRaw> Crosses<'_, S> {
     /// The crossing, if it counts, in words wide enough for shapes anywhere.
     #[inline(never)]
-    pub(super) fn in_any_words<W: WholeWord>(&self) -> Option<Counted<W::Whole>>
-    where
-        S: InWholeWord<W>,
-    {
-        self.counted_in_words(&self.in_word_vectors())
+    pub(super) fn in_any_words<W: WholeWord>(&self) -> Option<Counted<W::Whole>> {
+        self.counted_in_words(&self.in_word_vectors::<W>())
     }
 
     /// The crossing, if it counts, in words wide enough for shapes near each other; `None` if they
     /// are not.
     #[inline(never)]
-    fn in_near_words<W: WholeWord>(&self) -> Option<Option<Counted<W::Whole>>>
-    where
-        S: InWholeWord<W>,
-    {
-        let setting = self.in_word_vectors();
-        let [x, y, z] = words(&self.triangle.vertices()[0]);
+    fn in_near_words<W: WholeWord>(&self) -> Option<Option<Counted<W::Whole>>> {
+        let setting = self.in_word_vectors::<W>();
+        let [x, y, z]: [W; 3] = words(&self.triangle.vertices()[0]);
         let length = |x: &[W; 3]| x[0].folded() | x[1].folded() | x[2].folded();
         let Setting { d, e: [e1, e2], s } = &setting;
         (x.is_central()
@@ -51,18 +45,16 @@ impl<S: Scalar> Crosses<'_, S> {
     pub(super) fn in_words<W: WholeWord, T>(
         &self,
         f: impl Fn(Option<Counted<W::Whole>>) -> T,
-    ) -> Option<T>
-    where
-        S: InWholeWord<W>,
-    {
-        if S::ALWAYS_NEAR { Some(f(self.in_any_words())) } else { self.in_near_words().map(f) }
+    ) -> Option<T> {
+        if S::is_always_near::<W>() {
+            Some(f(self.in_any_words::<W>()))
+        } else {
+            self.in_near_words::<W>().map(f)
+        }
     }
 
     #[inline(always)]
-    fn in_word_vectors<W: Word>(&self) -> Setting<W>
-    where
-        S: InWord<W>,
-    {
+    fn in_word_vectors<W: Word>(&self) -> Setting<W> {
         let [a, b, c] = self.triangle.vertices();
         let (a, b, c) = (words(a), words(b), words(c));
         let (o, d) = (words(&self.ray.origin()), words(&self.ray.direction()));
@@ -70,10 +62,7 @@ impl<S: Scalar> Crosses<'_, S> {
     }
 
     #[inline(always)]
-    fn counted_in_words<W: WholeWord>(&self, setting: &Setting<W>) -> Option<Counted<W::Whole>>
-    where
-        S: InWholeWord<W>,
-    {
+    fn counted_in_words<W: WholeWord>(&self, setting: &Setting<W>) -> Option<Counted<W::Whole>> {
         let zero = W::Whole::ZERO;
         self.counted(
             setting,
@@ -85,7 +74,9 @@ impl<S: Scalar> Crosses<'_, S> {
             |k| perturbed(setting, k),
         )
     }
+}
 
+impl<S: Scalar> Crosses<'_, S> {
     /// The crossing, if it counts, from the cross product of lengths and the product of areas with
     /// lengths. `compare_quotient` compares t with an end of the range, and `perturbed` is that of the
     /// setting.
@@ -131,8 +122,8 @@ fn perturbed<W: Word>(setting: &Setting<W>, k: usize) -> Ordering {
 
 /// The hit, with each number rounded once.
 #[inline(always)]
-pub(super) fn rounded<S: Scalar + InWholeWord<W>, W: WholeWord>(
-    Counted { is_front, volumes }: &Counted<W::Whole>,
+pub(super) fn rounded<S: Scalar + InRaw, V: WholeVolume>(
+    Counted { is_front, volumes }: &Counted<V>,
 ) -> Hit<S> {
     let Crossing { det, t, sides: [_, u, v] } = *volumes;
     Hit {
@@ -157,11 +148,7 @@ mod tests {
     use crate::shape::{Ray, Triangle};
 
     /// Words agree with exact sums, for numbers of these bits. The number of hits is checked too.
-    fn check<S: Scalar + InWholeWord<W>, W: WholeWord>(
-        bits: u32,
-        length_bits: u32,
-        of: impl Fn(i64) -> S,
-    ) {
+    fn check<S: Scalar + InRaw, W: WholeWord>(bits: u32, length_bits: u32, of: impl Fn(i64) -> S) {
         let rng = &mut Random(u64::from(bits));
         let (mut hits, mut on_edges) = (0, 0);
         for case in 0..6_000 {

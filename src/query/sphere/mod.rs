@@ -26,8 +26,8 @@ pub(super) use self::error_bound::{Errors, PRODUCT, SQUARES};
 pub(super) use self::kernel::{Ball, Reach, around, largest_of, minors, to_corners, volume};
 pub(crate) use self::kernel::{along, product};
 pub(super) use self::obb::{Corners, corners};
-pub(super) use self::plane::OneSide;
-pub(super) use self::ray::{Way, numbers};
+pub(super) use self::plane::meets_plane;
+pub(super) use self::ray::Way;
 pub(super) use self::relation::of_ball;
 pub(super) use ray::{at_distance, first_at_distance};
 

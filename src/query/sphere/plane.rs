@@ -5,12 +5,12 @@
 
 use super::error_bound::PRODUCT;
 use super::kernel::{Ball, Reach, product};
-use crate::arithmetic::{Embeds, Number, greatest, largest, once, three};
+use crate::arithmetic::{Each, Embeds, Number, greatest, largest, once, three};
 use crate::query::Overlaps;
 use crate::query::orientation::Vector;
 use crate::robust::{Numeric, Predicate, Profile};
 use crate::scalar::Scalar;
-use crate::shape::{Plane, PlaneForm, Sphere};
+use crate::shape::{Plane, PlaneForm, Sphere, Vec3};
 
 /// Roundoffs in n·x + d, of the greatest |nᵢ| times the greatest |xᵢ|, plus |d|. To first order 14:
 /// for each of 3 terms 1 of the difference and 1 of the product, and 8 of the sums. `plane.g`
@@ -74,14 +74,15 @@ impl<S: Scalar> Predicate<S> for OneSide<'_, S> {
 
 impl<S: Scalar> Numeric<S> for OneSide<'_, S> {}
 
-/// Whether the sphere, or the open ball inside, lies on one side of the plane.
-pub(super) fn lies_on_one_side<S: Scalar>(
-    sphere: &Sphere<S>,
+/// Whether a ball, open or not, around a point of a segment meets the plane.
+pub(in crate::query) fn meets_plane<S: Scalar>(
+    ends: [Vec3<S>; 2],
+    radius: S,
     plane: &Plane<S>,
     ball: Ball,
 ) -> bool {
-    let ends = [sphere.center().to_array(); 2];
-    S::evaluate_numeric(&OneSide { plane, ends, radius: sphere.radius(), ball })
+    let ends = ends.each(|end| end.to_array());
+    !S::evaluate_numeric(&OneSide { plane, ends, radius, ball })
 }
 
 impl<S: Scalar> Overlaps<Plane<S>> for Sphere<S> {
@@ -105,6 +106,6 @@ impl<S: Scalar> Overlaps<Plane<S>> for Sphere<S> {
     /// ```
     #[inline]
     fn overlaps(&self, plane: &Plane<S>) -> bool {
-        !lies_on_one_side(self, plane, Ball::Closed)
+        meets_plane([self.center(); 2], self.radius(), plane, Ball::Closed)
     }
 }

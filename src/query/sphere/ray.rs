@@ -13,7 +13,7 @@ use super::error_bound::{Errors, PRODUCT};
 use super::kernel::{Ball, Reach, along, product, squared};
 use super::{Beyond, meet};
 use crate::arithmetic::{
-    Arithmetic, Each, Embeds, Enclosed, Number, cross, dot, greatest, largest, once, sign_of, three,
+    Arithmetic, Embeds, Enclosed, Number, cross, dot, greatest, largest, once, sign_of, three,
 };
 use crate::query::Overlaps;
 use crate::query::orientation::{Vector, from};
@@ -40,13 +40,6 @@ struct End {
 pub(in crate::query) struct Way<N: Arithmetic> {
     pub(in crate::query) d: Vector<N>,
     pub(in crate::query) ends: [Option<N::Length>; 2],
-}
-
-/// The numbers of a ray: its origin, its direction, and the ends of its range.
-#[inline(always)]
-pub(in crate::query) fn numbers<S: Scalar>(ray: &Ray<S>) -> [[S; 3]; 3] {
-    let [from, to] = [ray.t_min(), ray.t_max()].each(|t| t.unwrap_or(S::ZERO));
-    [ray.origin().to_array(), ray.direction().to_array(), [from, to, S::ZERO]]
 }
 
 impl<N: Arithmetic> Way<N> {
@@ -105,7 +98,7 @@ impl<S: Scalar> Predicate<S> for Beyond<'_, Sphere<S>, Ray<S>> {
 
     #[inline]
     fn filter<N: Embeds<S>>(&self) -> Option<bool> {
-        let [o, d, range] = numbers(self.shape);
+        let [o, d, range] = self.shape.numbers();
         let [c, [r, ..], o, d, range] = N::embed(&[self.center(), self.radius(), o, d, range])?;
         let way = Way::<N>::new(self.shape, d, range);
         way.lies_beyond(&from::<N>(&c, &o), &Reach::<N>::new(r, self.ball))

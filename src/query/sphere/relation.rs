@@ -4,7 +4,7 @@
 //! Analysis*, 1970, theorem 6.3). So a sphere with a radius above zero overlaps a shape at less than
 //! its radius, and touches a shape at just that distance. A sphere of radius zero is a point.
 
-use super::plane::lies_on_one_side;
+use super::plane::meets_plane;
 use super::{Ball, Beyond, meet};
 use crate::query::relation::{Relate, Relation};
 use crate::robust::Predicate;
@@ -80,7 +80,7 @@ impl<S: Scalar> Relate<Self> for Sphere<S> {
 
 impl<S: Scalar> Relate<Plane<S>> for Sphere<S> {
     fn relation(&self, plane: &Plane<S>) -> Relation {
-        let meets = |ball| !lies_on_one_side(self, plane, ball);
+        let meets = |ball| meets_plane([self.center(); 2], self.radius(), plane, ball);
         of_ball(self.radius() > S::ZERO, meets, || Relation::Overlapping)
     }
 }

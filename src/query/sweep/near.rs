@@ -6,7 +6,7 @@ use fixed::types::extra::LeEqU32;
 use self::sealed::Past;
 use super::passing::{Nearest, Passing, has_volume};
 use super::{FirstContact, Motion};
-use crate::arithmetic::{Each, Embeds, InWholeWord, IntNear, three};
+use crate::arithmetic::{Each, Embeds, InRaw, IntNear, three};
 use crate::query::relation::{Relate, Relation};
 use crate::robust::only_stage;
 use crate::scalar::Scalar;
@@ -114,7 +114,7 @@ impl<Frac: LeEqU32> Near<Aabb<FixedI32<Frac>>> {
     }
 }
 
-impl<S: Scalar + InWholeWord<i32>> Passing<'_, S> {
+impl<S: Scalar + InRaw<Raw = i32>> Passing<'_, S> {
     fn meet_in_words(&self) -> bool {
         !self.misses_in_any_words::<i32>()
     }
@@ -164,7 +164,7 @@ impl<S: Scalar> Past<Triangle<S>, S> for Aabb<S> {
 }
 
 /// A triangle past a box, or a box past a triangle.
-impl<T, S: Scalar + InWholeWord<i32>> Moving<T, S> {
+impl<T, S: Scalar + InRaw<Raw = i32>> Moving<T, S> {
     fn past<'a, Other>(&'a self, other: &'a Near<Other>, way: &'a Motion<S>) -> Passing<'a, S>
     where
         T: Past<Other, S>,

@@ -6,8 +6,8 @@ use super::latest::Instant;
 use super::time::{Meets, When};
 use super::{FirstContact, Motion, rows, short, words};
 use crate::arithmetic::{
-    Arithmetic, Each, Embeds, Float, InFloat, InWord, Number, REGISTERS_ARE_WIDE, Word,
-    cuts_floats, is_software,
+    Arithmetic, Each, Embeds, Float, InFloat, InRaw, Number, REGISTERS_ARE_WIDE, Word, cuts_floats,
+    is_software,
 };
 use crate::query::relation::{Relate, Relation};
 use crate::query::triangle_aabb::frame::{BoxForm, Frame};
@@ -138,16 +138,13 @@ impl<S: Scalar> Predicate<S> for Misses<'_, S> {
     }
 }
 
-impl<S: Scalar> WordKernel<S> for Misses<'_, S> {
+impl<S: Scalar + InRaw> WordKernel<S> for Misses<'_, S> {
     #[inline(always)]
-    fn narrow<W: Word>(&self) -> Option<bool>
-    where
-        S: InWord<W>,
-    {
-        if S::ALWAYS_NEAR {
-            Some(self.0.misses_in_any_words())
+    fn narrow<W: Word>(&self) -> Option<bool> {
+        if S::is_always_near::<W>() {
+            Some(self.0.misses_in_any_words::<W>())
         } else {
-            self.0.misses_in_near_words()
+            self.0.misses_in_near_words::<W>()
         }
     }
 }

@@ -2,9 +2,7 @@
 
 use super::latest::{Instant, Last};
 use super::{FirstContact, Passing, in_doubles, rows, words};
-use crate::arithmetic::{
-    Embeds, Filtered, Float, InFloat, InWholeWord, REGISTERS_ARE_WIDE, WholeWord,
-};
+use crate::arithmetic::{Embeds, Filtered, Float, InFloat, InRaw, REGISTERS_ARE_WIDE, WholeWord};
 use crate::robust::{Clue, Numeric, Predicate, Profile, WordKernel, in_exact_numbers};
 use crate::scalar::{FixedBackend, Scalar};
 
@@ -74,16 +72,13 @@ impl<S: Scalar> Predicate<S> for Meets<'_, S> {
     }
 }
 
-impl<S: Scalar> WordKernel<S> for Meets<'_, S> {
+impl<S: Scalar + InRaw> WordKernel<S> for Meets<'_, S> {
     #[inline(always)]
-    fn narrow_volumes<W: WholeWord>(&self) -> Option<FirstContact<S>>
-    where
-        S: InWholeWord<W>,
-    {
-        if S::ALWAYS_NEAR {
-            Some(self.passing.contact_in_any_words())
+    fn narrow_volumes<W: WholeWord>(&self) -> Option<FirstContact<S>> {
+        if S::is_always_near::<W>() {
+            Some(self.passing.contact_in_any_words::<W>())
         } else {
-            self.passing.contact_in_near_words()
+            self.passing.contact_in_near_words::<W>()
         }
     }
 }

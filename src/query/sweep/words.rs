@@ -20,7 +20,7 @@
 
 use super::Passing;
 use crate::arithmetic::{
-    InWord, ProductSum, REGISTERS_ARE_WIDE, Word, out_of_line_if_wide, pick, three,
+    InRaw, ProductSum, REGISTERS_ARE_WIDE, Word, out_of_line_if_wide, pick, three,
 };
 use crate::query::one_sided::{Closed, Projection, beyond_edge, beyond_plane, normals};
 use crate::query::triangle_aabb::words::{extents, minus, projections, words};
@@ -50,32 +50,23 @@ pub(super) struct Swept<W> {
     d: [W; 3],
 }
 
-impl<S: Scalar> Passing<'_, S> {
+impl<S: Scalar + InRaw> Passing<'_, S> {
     /// Whether the triangle misses the box, in words wide enough for shapes anywhere.
     #[inline(never)]
-    pub(super) fn misses_in_any_words<W: Word>(&self) -> bool
-    where
-        S: InWord<W>,
-    {
-        self.swept().misses()
+    pub(super) fn misses_in_any_words<W: Word>(&self) -> bool {
+        self.swept::<W>().misses()
     }
 
     /// Whether the triangle misses the box, in words wide enough for shapes and motions near each
     /// other; `None` if they are not.
     #[inline(never)]
-    pub(super) fn misses_in_near_words<W: Word>(&self) -> Option<bool>
-    where
-        S: InWord<W>,
-    {
-        let swept = self.swept();
-        (self.is_central() && swept.longest().is_near()).then(|| swept.misses())
+    pub(super) fn misses_in_near_words<W: Word>(&self) -> Option<bool> {
+        let swept = self.swept::<W>();
+        (self.is_central::<W>() && swept.longest().is_near()).then(|| swept.misses())
     }
 
     #[inline(always)]
-    fn swept<W: Word>(&self) -> Swept<W>
-    where
-        S: InWord<W>,
-    {
+    fn swept<W: Word>(&self) -> Swept<W> {
         let [from, to] = self.ends();
         let d = minus(&words(&to), &words(&from));
         let start = projections(self.triangle, self.aabb);
@@ -84,10 +75,7 @@ impl<S: Scalar> Passing<'_, S> {
 
     /// Whether differences from the box and from the motion's start that were wrapped are long.
     #[inline(always)]
-    fn is_central<W: Word>(&self) -> bool
-    where
-        S: InWord<W>,
-    {
+    fn is_central<W: Word>(&self) -> bool {
         let ([from, _], (min, _)) = (self.ends(), extents(self.aabb));
         words(&from).iter().chain(&min).all(|x: &W| x.is_central())
     }

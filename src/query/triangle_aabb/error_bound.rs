@@ -56,7 +56,7 @@ const EDGE: u16 = 24;
 const PLANE: u16 = 60;
 
 /// Roundoffs by offsets: on a coordinate axis, on an edge axis, on the normal.
-const OFFSET_FACE: u16 = 7;
+pub(super) const OFFSET_FACE: u16 = 7;
 const OFFSET_EDGE: u16 = 40;
 const OFFSET_PLANE: u16 = 100;
 
@@ -91,12 +91,6 @@ pub(crate) fn bound_of_size<N: Arithmetic>(size: N::Length) -> ErrorBound<N> {
 pub(super) fn offset_bound(size: f32) -> ErrorBound<Filtered<f32>> {
     let square = size * size;
     ErrorBound { edge: square.error(OFFSET_EDGE), plane: (square * size).error(OFFSET_PLANE) }
-}
-
-/// The bound on coordinate axes, for a prepared triangle and offsets.
-#[inline(always)]
-pub(super) fn offset_face(size: f32) -> f32 {
-    size.error(OFFSET_FACE)
 }
 
 /// The gaps that survive the truncation of coordinates: on a coordinate axis, and on the other

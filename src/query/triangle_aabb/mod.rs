@@ -26,10 +26,10 @@ pub(crate) use frame::range;
 pub use prepared::PreparedTriangle;
 pub(super) use relation::touches_face;
 
-use super::relation::Relation;
+use super::one_sided::are_disjoint;
 use super::{Axis, Overlaps};
 use crate::arithmetic::{
-    Embeds, Float, InFloat, InWord, Int64OfFloats, OfFour, OneType, Quad, REGISTERS_ARE_WIDE,
+    Embeds, Float, InFloat, InRaw, Int64OfFloats, OfFour, OneType, Quad, REGISTERS_ARE_WIDE,
     Rounded, Word, is_software,
 };
 use crate::robust::{Predicate, Profile, WordKernel, in_cut_floats, in_exact_numbers, in_floats};
@@ -43,22 +43,11 @@ struct Disjoint<'a, S> {
 }
 
 impl<S: Scalar> Disjoint<'_, S> {
-    /// The answer.
+    /// The answer: from cut coordinates, if they are certain of it.
     #[inline(always)]
     fn answer(&self) -> bool {
-        self.in_short_words().unwrap_or_else(|| S::evaluate(self))
-    }
-
-    /// The answer from cut coordinates, if they are certain of it.
-    #[inline(always)]
-    fn in_short_words(&self) -> Option<bool> {
         in_cut_floats::<S, _>(|| short::disjoint(self.triangle, self.aabb))
-    }
-
-    /// How the shapes lie to each other, likewise.
-    #[inline(always)]
-    fn relation_in_short_words(&self) -> Option<Relation> {
-        in_cut_floats::<S, _>(|| short::relation(self.triangle, self.aabb))
+            .unwrap_or_else(|| S::evaluate(self))
     }
 
     /// Whether `N` holds the shapes.
@@ -125,13 +114,10 @@ impl<S: Scalar> Predicate<S> for Disjoint<'_, S> {
     }
 }
 
-impl<S: Scalar> WordKernel<S> for Disjoint<'_, S> {
+impl<S: Scalar + InRaw> WordKernel<S> for Disjoint<'_, S> {
     #[inline(always)]
-    fn narrow<W: Word>(&self) -> Option<bool>
-    where
-        S: InWord<W>,
-    {
-        if S::ALWAYS_NEAR { Some(self.in_any_words()) } else { self.in_near_words() }
+    fn narrow<W: Word>(&self) -> Option<bool> {
+        self.in_narrow::<W, _>(are_disjoint)
     }
 }
 
@@ -230,13 +216,13 @@ pub(crate) fn disjoint_rounded<S: Scalar>(triangle: &Triangle<S>, aabb: &Aabb<S>
 }
 
 #[cfg(feature = "fixed")]
-impl<S: Scalar + InWord<i32>> Overlaps<Near<Aabb<S>>> for Near<Triangle<S>> {
+impl<S: Scalar + InRaw<Raw = i32>> Overlaps<Near<Aabb<S>>> for Near<Triangle<S>> {
     /// Do a triangle and an axis-aligned box near the origin have a point in common?
     ///
     /// *Numerics*: exact, in 32-bit words alone. *Panics*: never.
     #[inline]
     fn overlaps(&self, aabb: &Near<Aabb<S>>) -> bool {
-        !Disjoint { triangle: self.get(), aabb: aabb.get() }.in_any_words::<i32>()
+        !Disjoint { triangle: self.get(), aabb: aabb.get() }.in_any_words::<i32, _>(are_disjoint)
     }
 }
 

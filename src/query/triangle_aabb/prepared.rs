@@ -1,10 +1,10 @@
 //! One triangle against many axis-aligned boxes.
 
 use super::Disjoint;
-use super::error_bound::{offset_bound, offset_face};
+use super::error_bound::{OFFSET_FACE, offset_bound};
 use super::offsets::{ForOffsets, row, size_in_range};
 use super::rows::{InFrame, Rows};
-use crate::arithmetic::{Quad, THREE};
+use crate::arithmetic::{Number, Quad, THREE};
 use crate::robust::{Stage, note};
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, Triangle};
@@ -115,7 +115,7 @@ impl<S: Scalar> PreparedTriangle<S> {
         let size = half + (rows.high - rows.low);
         // Sums of rounded numbers need not keep their order.
         let gap = low.greatest(ForOffsets::splat(0.0) - high) - half;
-        let error = offset_face(size.most());
+        let error = size.most().error(OFFSET_FACE);
         Some(InFrame {
             v: [at, rows.v[1] + at, rows.v[2] + at],
             half,

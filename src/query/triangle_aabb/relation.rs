@@ -6,13 +6,14 @@ use super::Disjoint;
 use super::error_bound::error_bound;
 use super::frame::{Frame, range};
 use super::kernel::{edge_axis, in_frame, normal, one_edge, one_face, plane_of_size};
+use super::short;
 use crate::arithmetic::{
-    Arithmetic, Double, Each, Embeds, InWord, Number, REGISTERS_ARE_WIDE, Word, dot, greatest,
-    least,
+    Arithmetic, Double, Each, Embeds, InRaw, Number, REGISTERS_ARE_WIDE, Word, dot, greatest, least,
 };
 use crate::query::Axis;
+use crate::query::one_sided::relation;
 use crate::query::relation::{Nearness, Reading, Relate, Relation};
-use crate::robust::{Predicate, WordKernel};
+use crate::robust::{Predicate, WordKernel, in_cut_floats};
 use crate::scalar::{FixedBackend, Scalar};
 #[cfg(feature = "fixed")]
 use crate::shape::Near;
@@ -54,16 +55,10 @@ impl<S: Scalar> Disjoint<'_, S> {
     }
 }
 
-impl<S: Scalar> WordKernel<S> for Lie<'_, S> {
+impl<S: Scalar + InRaw> WordKernel<S> for Lie<'_, S> {
     #[inline(always)]
-    fn narrow<W: Word>(&self) -> Option<Relation>
-    where
-        S: InWord<W>,
-    {
-        if S::ALWAYS_NEAR {
-            return Some(self.0.relation_in_any_words());
-        }
-        self.0.relation_in_near_words()
+    fn narrow<W: Word>(&self) -> Option<Relation> {
+        self.0.in_narrow::<W, _>(relation)
     }
 }
 
@@ -122,7 +117,7 @@ fn all_axes<N: Arithmetic>(frame: &Frame<N>) -> Option<Relation> {
 impl<S: Scalar> Relate<Aabb<S>> for Triangle<S> {
     fn relation(&self, aabb: &Aabb<S>) -> Relation {
         let shapes = Disjoint { triangle: self, aabb };
-        if let Some(relation) = shapes.relation_in_short_words() {
+        if let Some(relation) = in_cut_floats::<S, _>(|| short::relation(self, aabb)) {
             return relation;
         }
         // Words find all three relations together.
@@ -134,13 +129,13 @@ impl<S: Scalar> Relate<Aabb<S>> for Triangle<S> {
 }
 
 #[cfg(feature = "fixed")]
-impl<S: Scalar + InWord<i32>> Relate<Near<Aabb<S>>> for Near<Triangle<S>> {
+impl<S: Scalar + InRaw<Raw = i32>> Relate<Near<Aabb<S>>> for Near<Triangle<S>> {
     /// Are a triangle and an axis-aligned box near the origin disjoint, touching or overlapping?
     ///
     /// *Numerics*: exact, in 32-bit words alone. *Panics*: never.
     #[inline]
     fn relation(&self, aabb: &Near<Aabb<S>>) -> Relation {
-        Disjoint { triangle: self.get(), aabb: aabb.get() }.relation_in_any_words::<i32>()
+        Disjoint { triangle: self.get(), aabb: aabb.get() }.in_any_words::<i32, _>(relation)
     }
 }
 

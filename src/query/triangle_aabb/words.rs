@@ -2,51 +2,43 @@
 //! and a wider one is not.
 
 use super::Disjoint;
-use crate::arithmetic::{Each, InWord, Word, out_of_line_if_wide, three};
-use crate::query::one_sided::{Projection, are_disjoint, relation};
-use crate::query::relation::Relation;
+use crate::arithmetic::{Each, InRaw, Word, out_of_line_if_wide, three};
+use crate::query::one_sided::Projection;
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Triangle, Vec3};
 
-impl<S: Scalar> Disjoint<'_, S> {
-    /// The answer in words wide enough for shapes anywhere.
-    #[inline(never)]
-    pub(super) fn in_any_words<W: Word>(&self) -> bool
-    where
-        S: InWord<W>,
-    {
-        are_disjoint(&projections(self.triangle, self.aabb))
+impl<S: Scalar + InRaw> Disjoint<'_, S> {
+    /// The answer from the projections, if the words hold them.
+    #[inline(always)]
+    pub(super) fn in_narrow<W: Word, T>(
+        &self,
+        answer: impl FnOnce(&[Projection<W>; 3]) -> T,
+    ) -> Option<T> {
+        if S::is_always_near::<W>() {
+            Some(self.in_any_words(answer))
+        } else {
+            self.in_near_words(answer)
+        }
     }
 
-    /// How the shapes lie to each other, likewise.
+    /// The answer in words wide enough for shapes anywhere.
     #[inline(never)]
-    pub(super) fn relation_in_any_words<W: Word>(&self) -> Relation
-    where
-        S: InWord<W>,
-    {
-        relation(&projections(self.triangle, self.aabb))
+    pub(super) fn in_any_words<W: Word, T>(
+        &self,
+        answer: impl FnOnce(&[Projection<W>; 3]) -> T,
+    ) -> T {
+        answer(&projections(self.triangle, self.aabb))
     }
 
     /// The answer in words wide enough for shapes near each other; `None` if they are not.
     #[inline(never)]
-    pub(super) fn in_near_words<W: Word>(&self) -> Option<bool>
-    where
-        S: InWord<W>,
-    {
+    fn in_near_words<W: Word, T>(
+        &self,
+        answer: impl FnOnce(&[Projection<W>; 3]) -> T,
+    ) -> Option<T> {
         let (min, _) = extents(self.aabb);
         let shapes = projections(self.triangle, self.aabb);
-        are_near(&min, &shapes).then(|| are_disjoint(&shapes))
-    }
-
-    /// How the shapes lie to each other, likewise.
-    #[inline(never)]
-    pub(super) fn relation_in_near_words<W: Word>(&self) -> Option<Relation>
-    where
-        S: InWord<W>,
-    {
-        let (min, _) = extents(self.aabb);
-        let shapes = projections(self.triangle, self.aabb);
-        are_near(&min, &shapes).then(|| relation(&shapes))
+        are_near(&min, &shapes).then(|| answer(&shapes))
     }
 }
 
@@ -58,7 +50,7 @@ fn are_near<W: Word>([x, y, z]: &[W; 3], shapes: &[Projection<W>; 3]) -> bool {
 
 /// The shapes projected on the coordinate axes, relative to the least corner of the box.
 #[inline(always)]
-pub(in crate::query) fn projections<S: Scalar + InWord<W>, W: Word>(
+pub(in crate::query) fn projections<S: Scalar + InRaw, W: Word>(
     triangle: &Triangle<S>,
     aabb: &Aabb<S>,
 ) -> [Projection<W>; 3] {
@@ -71,9 +63,7 @@ pub(in crate::query) fn projections<S: Scalar + InWord<W>, W: Word>(
 
 /// The least corner of the box, and its extents.
 #[inline(always)]
-pub(in crate::query) fn extents<S: Scalar + InWord<W>, W: Word>(
-    aabb: &Aabb<S>,
-) -> ([W; 3], [W; 3]) {
+pub(in crate::query) fn extents<S: Scalar + InRaw, W: Word>(aabb: &Aabb<S>) -> ([W; 3], [W; 3]) {
     match aabb.form() {
         AabbForm::Center { center, half } => {
             let (center, half) = (words(center), words(half));
@@ -87,7 +77,7 @@ pub(in crate::query) fn extents<S: Scalar + InWord<W>, W: Word>(
 }
 
 #[inline(always)]
-pub(in crate::query) fn words<S: InWord<W> + Copy, W: Word>(v: &Vec3<S>) -> [W; 3] {
+pub(in crate::query) fn words<S: InRaw + Copy, W: Word>(v: &Vec3<S>) -> [W; 3] {
     [v.x.in_word(), v.y.in_word(), v.z.in_word()]
 }
 

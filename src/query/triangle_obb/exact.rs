@@ -5,7 +5,7 @@
 use core::cmp::Ordering;
 use core::marker::PhantomData;
 
-use crate::arithmetic::{Each, InWord, Number, WholeVolume, WholeWord, cross_words, dot_words};
+use crate::arithmetic::{Each, InRaw, Number, WholeVolume, WholeWord, cross_words, dot_words};
 use crate::arithmetic::{Parts, pick, three, turn};
 use crate::query::relation::{Reading, Relation, of_gaps};
 use crate::query::triangle_aabb::words::minus;
@@ -32,6 +32,17 @@ pub(in crate::query) struct Term<'a, N: Factors>(
 /// Exact sums, for any numbers.
 pub(in crate::query) struct InSums<S>(PhantomData<S>);
 
+impl<S: Scalar> InSums<S> {
+    #[inline(always)]
+    pub(in crate::query) fn sum(terms: &[Term<'_, Self>]) -> S::SeptumSum {
+        let mut sum = S::SeptumSum::new();
+        for Term(factor, a, b, c) in terms {
+            add_determinant(&mut sum, [a, b, c], Some(*factor));
+        }
+        sum
+    }
+}
+
 impl<S: Scalar> Factors for InSums<S> {
     type Factor = Parts;
     type Vector = Vector;
@@ -41,11 +52,7 @@ impl<S: Scalar> Factors for InSums<S> {
     }
     #[inline(never)]
     fn sign(terms: &[Term<'_, Self>]) -> Ordering {
-        let mut sum = S::SeptumSum::new();
-        for Term(factor, a, b, c) in terms {
-            add_determinant(&mut sum, [a, b, c], Some(*factor));
-        }
-        sum.sign()
+        Self::sum(terms).sign()
     }
 }
 
@@ -111,7 +118,7 @@ impl<S: Scalar> ExactParallelepiped<InSums<S>> {
 impl<W: WholeWord> ExactParallelepiped<InWords<W>> {
     /// In words; differences that do not fit wrap around.
     #[inline(always)]
-    pub(super) fn in_words<S: Scalar + InWord<W>>(
+    pub(super) fn in_words<S: Scalar + InRaw>(
         [a, b, c]: [[S; 3]; 3],
         [center, u, v, w, half]: [[S; 3]; 5],
         one: W,

@@ -43,7 +43,7 @@ impl WholeBox for InWords {
     }
 }
 
-impl<S: Scalar> Disjoint<'_, S> {
+impl<S: Scalar, R> Disjoint<'_, S, R> {
     /// The answer from cut numbers, if they are certain of it, for floats that functions compute.
     #[inline(always)]
     pub(super) fn in_cut_floats(&self) -> Option<bool> {
@@ -107,7 +107,7 @@ mod tests {
             else {
                 continue;
             };
-            let question = Disjoint { triangle: &triangle, obb: &obb };
+            let question = Disjoint::new(&triangle, &obb);
             if let Some(found) = question.of_cut_floats() {
                 assert_eq!(found, !triangle.overlaps(&obb), "{triangle:?} {obb:?}");
                 answers += 1;

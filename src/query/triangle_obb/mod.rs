@@ -19,14 +19,15 @@ mod prepared;
 mod relation;
 mod short;
 
+use core::marker::PhantomData;
+
 use self::exact::{ExactParallelepiped, InSums, InWords};
 use self::kernel::{Parallelepiped, all_axes};
 use self::short::Change;
 use super::Overlaps;
 use super::relation::Reading;
 use crate::arithmetic::{
-    Arithmetic, Each, Embeds, InRaw, InWholeWord, InWord, Number, SMALL_CODE, WholeWord, greatest,
-    largest,
+    Arithmetic, Each, Embeds, InRaw, Number, SMALL_CODE, WholeWord, greatest, largest,
 };
 use crate::robust::{Predicate, Profile, Uncertain, WordKernel, noted};
 use crate::scalar::{FixedBackend, Scalar};
@@ -40,47 +41,63 @@ pub use self::prepared::PreparedObb;
 pub(super) use self::short::{EXACT, are_disjoint};
 pub(super) use known::{Known, Size, raw};
 
-/// Are the triangle and the oriented box disjoint?
-struct Disjoint<'a, S> {
+/// Are the triangle and the oriented box disjoint, or, by [`Nearness`](super::relation::Nearness), do they
+/// touch or overlap?
+struct Disjoint<'a, S, R = Uncertain> {
     triangle: &'a Triangle<S>,
     obb: &'a Obb<S>,
+    reading: PhantomData<R>,
 }
 
-impl<S: Scalar> Predicate<S> for Disjoint<'_, S> {
-    type Answer = bool;
+impl<'a, S> Disjoint<'a, S> {
+    #[inline(always)]
+    const fn new(triangle: &'a Triangle<S>, obb: &'a Obb<S>) -> Self {
+        Self { triangle, obb, reading: PhantomData }
+    }
+}
+
+impl<S: Scalar, R: Reading> Predicate<S> for Disjoint<'_, S, R> {
+    type Answer = R::Answer;
 
     #[inline(never)]
-    fn filter<N: Embeds<S>>(&self) -> Option<bool> {
-        self.by_axes::<N, Uncertain>()
+    fn filter<N: Embeds<S>>(&self) -> Option<R::Answer> {
+        self.by_axes::<N>()
     }
 
     const PROFILE: Profile = Profile::CUT;
 
     /// First in short words with a bound; then, on narrow registers, in words that hold all.
+    ///
+    /// If the triangle meets the shrunk box, it has a point in the interior of the true box,
+    /// because the bound exceeds the error. The triangle's interior has points arbitrarily near
+    /// that point, so some of them are in the interior of the box too.
     #[inline(always)]
-    fn in_words(&self, is_bounded: bool) -> Option<bool>
+    fn in_words(&self, is_bounded: bool) -> Option<R::Answer>
     where
         S: FixedBackend,
     {
         if is_bounded {
             let framed = self.framed(Change::Grown, Self::vertices_from_center);
-            return Some(framed.is_none_or(|framed| framed.are_certainly_disjoint()));
+            return Some(R::clear(framed.is_none_or(|framed| framed.are_certainly_disjoint())));
         }
-        noted(self.in_short_words()).or_else(|| S::in_machine_words(self))
+        noted(self.in_short_words()).map(R::clear).or_else(|| S::in_machine_words(self))
     }
 
-    fn exact(&self) -> bool {
-        self.in_exact_sums::<Uncertain>()
+    fn exact(&self) -> R::Answer {
+        ExactParallelepiped::<InSums<S>>::new(self.triangle.points(), self.obb.numbers())
+            .answer::<R>()
     }
 }
 
-impl<S: Scalar> WordKernel<S> for Disjoint<'_, S> {
+impl<S: Scalar + InRaw, R: Reading> WordKernel<S> for Disjoint<'_, S, R> {
     #[inline(always)]
-    fn narrow_volumes<W: WholeWord>(&self) -> Option<bool>
-    where
-        S: InWholeWord<W>,
-    {
-        self.in_narrow_words::<W, Uncertain>()
+    fn narrow_volumes<W: WholeWord>(&self) -> Option<R::Answer> {
+        let one = S::one_in::<W>()?;
+        if S::is_always_near::<W>() {
+            Some(self.in_any_words::<W>(one))
+        } else {
+            self.in_near_words::<W>(one)
+        }
     }
 }
 
@@ -89,24 +106,29 @@ pub(super) const fn has_second_look<N: Arithmetic>() -> bool {
     !N::CERTAIN && !SMALL_CODE
 }
 
-impl<S: Scalar> Disjoint<'_, S> {
+impl<S: Scalar, R: Reading> Disjoint<'_, S, R> {
+    #[inline(always)]
+    fn answer(&self) -> R::Answer {
+        self.in_cut_floats().map_or_else(|| S::evaluate(self), R::clear)
+    }
+
     /// The relation by the axes in a number system, if it is certain.
     #[inline(always)]
-    fn by_axes<N: Embeds<S>, R: Reading>(&self) -> Option<R::Answer> {
-        match self.by_these_axes::<N, R>(false) {
-            None if has_second_look::<N>() => self.by_second_look::<N, R>(),
+    fn by_axes<N: Embeds<S>>(&self) -> Option<R::Answer> {
+        match self.by_these_axes::<N>(false) {
+            None if has_second_look::<N>() => self.by_second_look::<N>(),
             answer => answer,
         }
     }
 
     #[cold]
     #[inline(never)]
-    fn by_second_look<N: Embeds<S>, R: Reading>(&self) -> Option<R::Answer> {
-        self.by_these_axes::<N, R>(true)
+    fn by_second_look<N: Embeds<S>>(&self) -> Option<R::Answer> {
+        self.by_these_axes::<N>(true)
     }
 
     #[inline(always)]
-    fn by_these_axes<N: Embeds<S>, R: Reading>(&self, looks_twice: bool) -> Option<R::Answer> {
+    fn by_these_axes<N: Embeds<S>>(&self, looks_twice: bool) -> Option<R::Answer> {
         let ([a, b, c], [center, u, v, w, half]) = (self.triangle.points(), self.obb.numbers());
         let ([a, b, c, center, u, v, w, h], one) =
             N::embed_with_one(&[a, b, c, center, u, v, w, half])?;
@@ -123,46 +145,20 @@ impl<S: Scalar> Disjoint<'_, S> {
         let error = error_bound::<N>(one, axes, length, half)?;
         all_axes::<_, R>(&s, &error, looks_twice).answer(N::CERTAIN)
     }
-
-    /// The answer from exact sums.
-    fn in_exact_sums<R: Reading>(&self) -> R::Answer {
-        ExactParallelepiped::<InSums<S>>::new(self.triangle.points(), self.obb.numbers())
-            .answer::<R>()
-    }
 }
 
 /// The last stage in words, for narrow registers.
-impl<S: Scalar> Disjoint<'_, S> {
+impl<S: Scalar + InRaw, R: Reading> Disjoint<'_, S, R> {
     /// The first stage for shapes that are near. Its stack is free again before the last stage.
     #[inline(never)]
-    fn first_near_stage(&self) -> Option<bool>
-    where
-        S: InRaw,
-    {
+    fn first_near_stage(&self) -> Option<bool> {
         are_disjoint(self.obb, || Known::Nothing, EXACT, || self.vertices_from_near())
-    }
-
-    /// The answer, if words hold the shapes.
-    #[inline(always)]
-    fn in_narrow_words<W: WholeWord, R: Reading>(&self) -> Option<R::Answer>
-    where
-        S: InWholeWord<W>,
-    {
-        let one = <S as InWholeWord<W>>::one()?;
-        if <S as InWord<W>>::ALWAYS_NEAR {
-            Some(self.in_any_words::<W, R>(one))
-        } else {
-            self.in_near_words::<W, R>(one)
-        }
     }
 
     /// The answer in words that hold the shapes wherever they are.
     #[cold]
     #[inline(never)]
-    fn in_any_words<W: WholeWord, R: Reading>(&self, one: W) -> R::Answer
-    where
-        S: InWord<W>,
-    {
+    fn in_any_words<W: WholeWord>(&self, one: W) -> R::Answer {
         self.in_words(one).after_cut::<R>()
     }
 
@@ -170,43 +166,37 @@ impl<S: Scalar> Disjoint<'_, S> {
     /// few digits.
     #[cold]
     #[inline(never)]
-    fn in_near_words<W: WholeWord, R: Reading>(&self, one: W) -> Option<R::Answer>
-    where
-        S: InWord<W>,
-    {
+    fn in_near_words<W: WholeWord>(&self, one: W) -> Option<R::Answer> {
         let mut words = self.in_words(one);
-        let center = self.obb.center().to_array().each(S::in_word);
+        let center = self.obb.center().to_array().each(S::in_word::<W>);
         (center.iter().all(|x| x.is_central()) && words.becomes_near())
             .then(|| words.after_cut::<R>())
     }
 
     #[inline(always)]
-    fn in_words<W: WholeWord>(&self, one: W) -> ExactParallelepiped<InWords<W>>
-    where
-        S: InWord<W>,
-    {
+    fn in_words<W: WholeWord>(&self, one: W) -> ExactParallelepiped<InWords<W>> {
         ExactParallelepiped::in_words(self.triangle.points(), self.obb.numbers(), one)
     }
 }
 
 #[cfg(feature = "fixed")]
-impl<S: Scalar + InRaw + InWholeWord<i32>> Overlaps<Near<Obb<S>>> for Near<Triangle<S>> {
+impl<S: Scalar + InRaw<Raw = i32>> Overlaps<Near<Obb<S>>> for Near<Triangle<S>> {
     /// Do a triangle and an oriented box near the origin have a point in common?
     ///
     /// *Numerics*: exact, in 32-bit words alone. *Panics*: never.
     #[inline]
     fn overlaps(&self, obb: &Near<Obb<S>>) -> bool {
-        let question = Disjoint { triangle: self.get(), obb: obb.get() };
+        let question = Disjoint::new(self.get(), obb.get());
         // A box is near only if a word of its type can hold one.
-        let Some(one) = S::one() else { return self.get().overlaps(obb.get()) };
-        !question.first_near_stage().unwrap_or_else(|| question.in_any_words::<i32, Uncertain>(one))
+        let Some(one) = S::one_in() else { return self.get().overlaps(obb.get()) };
+        !question.first_near_stage().unwrap_or_else(|| question.in_any_words::<i32>(one))
     }
 
     #[inline]
     fn may_overlap(&self, obb: &Near<Obb<S>>) -> bool {
-        let question = Disjoint { triangle: self.get(), obb: obb.get() };
+        let question = Disjoint::new(self.get(), obb.get());
         question
-            .framed(Change::Grown, Disjoint::vertices_from_near)
+            .framed(Change::Grown, Disjoint::<S>::vertices_from_near)
             .is_some_and(|framed| !framed.are_certainly_disjoint())
     }
 }
@@ -246,8 +236,7 @@ impl<S: Scalar> Overlaps<Obb<S>> for Triangle<S> {
     /// Akenine-Möller 2001, with an error bound that is ours.
     #[inline]
     fn overlaps(&self, obb: &Obb<S>) -> bool {
-        let question = Disjoint { triangle: self, obb };
-        !question.in_cut_floats().unwrap_or_else(|| S::evaluate(&question))
+        !Disjoint::new(self, obb).answer()
     }
 
     /// May a triangle and an oriented box have a point in common?
@@ -264,6 +253,6 @@ impl<S: Scalar> Overlaps<Obb<S>> for Triangle<S> {
     ///
     #[inline]
     fn may_overlap(&self, obb: &Obb<S>) -> bool {
-        S::evaluate_bounded(&Disjoint { triangle: self, obb }) != Some(true)
+        S::evaluate_bounded(&Disjoint::new(self, obb)) != Some(true)
     }
 }

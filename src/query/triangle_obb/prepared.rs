@@ -40,7 +40,7 @@ impl<S: Scalar> PreparedObb<S> {
     /// Whether the box overlaps the triangle.
     #[inline(always)]
     pub(crate) fn overlaps(&self, triangle: &Triangle<S>) -> bool {
-        let question = Disjoint { triangle, obb: &self.obb };
+        let question = Disjoint::new(triangle, &self.obb);
         !question.in_cut_floats().unwrap_or_else(|| S::evaluate(&Prepared(question, &self.crossed)))
     }
 }
@@ -56,7 +56,7 @@ impl<S: Scalar> Predicate<S> for Prepared<'_, S> {
         self.0.filter::<N>()
     }
 
-    const PROFILE: Profile = Disjoint::<S>::PROFILE;
+    const PROFILE: Profile = Profile::CUT;
 
     #[inline(always)]
     fn in_words(&self, _: bool) -> Option<bool>

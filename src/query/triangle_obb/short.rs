@@ -163,7 +163,7 @@ fn framed<'c, R: Raw>(
     Some(Framed { shapes: [on(t[0], half[0]), on(t[1], half[1]), on(t[2], half[2])], by })
 }
 
-impl<S: Scalar + InRaw> Disjoint<'_, S> {
+impl<S: Scalar + InRaw, R> Disjoint<'_, S, R> {
     /// The answer, if the cut coordinates are certain of it.
     #[inline(always)]
     pub(super) fn in_short_words(&self) -> Option<bool> {

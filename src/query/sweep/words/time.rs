@@ -5,7 +5,7 @@
 
 use super::{Passing, Side, Swept, along};
 use crate::arithmetic::{
-    InWholeWord, Number, ProductSum, WholeWord, greatest, least, pick, three, turn,
+    InRaw, ProductSum, WholeVolume, WholeWord, greatest, least, pick, three, turn,
 };
 use crate::query::Axis;
 use crate::query::one_sided::{Closed, beyond_edge, beyond_plane, normals};
@@ -13,14 +13,11 @@ use crate::query::sweep::FirstContact;
 use crate::query::sweep::latest::Latest;
 use crate::scalar::Scalar;
 
-impl<S: Scalar> Passing<'_, S> {
+impl<S: Scalar + InRaw> Passing<'_, S> {
     /// The first contact, in words wide enough for shapes anywhere.
     #[inline(never)]
-    pub(in crate::query::sweep) fn contact_in_any_words<W: WholeWord>(&self) -> FirstContact<S>
-    where
-        S: InWholeWord<W>,
-    {
-        self.swept().first_contact()
+    pub(in crate::query::sweep) fn contact_in_any_words<W: WholeWord>(&self) -> FirstContact<S> {
+        self.swept::<W>().first_contact()
     }
 
     /// The first contact, in words wide enough for shapes and motions near each other; `None` if they
@@ -28,28 +25,25 @@ impl<S: Scalar> Passing<'_, S> {
     #[inline(never)]
     pub(in crate::query::sweep) fn contact_in_near_words<W: WholeWord>(
         &self,
-    ) -> Option<FirstContact<S>>
-    where
-        S: InWholeWord<W>,
-    {
-        let swept = self.swept();
+    ) -> Option<FirstContact<S>> {
+        let swept = self.swept::<W>();
         let longest = swept.longest();
         // A difference of two lengths has one bit more.
         let is_near = longest.is_near() && longest.plus(longest).has_volumes();
-        (self.is_central() && is_near).then(|| swept.first_contact())
+        (self.is_central::<W>() && is_near).then(|| swept.first_contact())
     }
 }
 
 impl<W: WholeWord> Swept<W> {
     #[inline(always)]
-    fn first_contact<S: Scalar + InWholeWord<W>>(&self) -> FirstContact<S> {
+    fn first_contact<S: Scalar + InRaw>(&self) -> FirstContact<S> {
         let mut latest = Latest::NONE;
         for ((i, shapes), d) in (0..).zip(&self.start).zip(self.d) {
             let ([a, b, c], size) = (shapes.t, shapes.size);
             let (low, high) = (least(least(a, b), c), greatest(greatest(a, b), c));
             let gap = greatest(low - size, W::ZERO - high);
             if gap > W::ZERO {
-                close(&mut latest, Axis::Face(i), gap.into(), d.into());
+                close::<_, W::Whole>(&mut latest, Axis::Face(i), gap.into(), d.into());
             }
         }
         self.add_slanted::<S, W::Sum>(&mut latest);
@@ -60,7 +54,7 @@ impl<W: WholeWord> Swept<W> {
     #[inline(always)]
     fn add_slanted<S, A>(&self, latest: &mut Latest<S>)
     where
-        S: Scalar + InWholeWord<W>,
+        S: Scalar + InRaw,
         A: ProductSum<W>,
         W: WholeWord<Sum = A>,
     {
@@ -69,7 +63,7 @@ impl<W: WholeWord> Swept<W> {
         let axes = three(|i| (n[i], self.start[i].t[0], self.start[i].size));
         let rest = beyond_plane::<W, A, Closed>(axes.into_iter(), !A::is_negative(along));
         if A::is_negative(rest) {
-            close::<S, W>(latest, Axis::Normal, -W::whole(rest), W::whole(along));
+            close(latest, Axis::Normal, -W::whole(rest), W::whole(along));
         }
         let ([x, y, z], [dx, dy, dz]) = (&self.start, self.d);
         add_edges(latest, 0, &Side::new(n[0], [y, z], [dy, dz]));
@@ -80,7 +74,7 @@ impl<W: WholeWord> Swept<W> {
 
 /// The axes that are perpendicular to coordinate axis `i`.
 #[inline(never)]
-fn add_edges<S: Scalar + InWholeWord<W>, W: WholeWord>(
+fn add_edges<S: Scalar + InRaw, W: WholeWord>(
     latest: &mut Latest<S>,
     i: u8,
     side: &Side<'_, W, W::Sum>,
@@ -100,77 +94,13 @@ fn add_edges<S: Scalar + InWholeWord<W>, W: WholeWord>(
         let rest = beyond_edge::<W, W::Sum, Closed>([j.size, l.size], v, [ej, el]);
         if rest.sign() < W::ZERO {
             let axis = Axis::Edge { axis: i, edge: k as u8 };
-            close::<S, W>(latest, axis, -W::whole(rest.volume()), W::whole(q.volume()));
+            close(latest, axis, -W::whole(rest.volume()), W::whole(q.volume()));
         }
     }
 }
 
 /// Adds an axis with a gap and a speed.
 #[inline(never)]
-fn close<S: Scalar + InWholeWord<W>, W: WholeWord>(
-    latest: &mut Latest<S>,
-    axis: Axis,
-    gap: W::Whole,
-    speed: W::Whole,
-) {
+fn close<S: Scalar + InRaw, V: WholeVolume>(latest: &mut Latest<S>, axis: Axis, gap: V, speed: V) {
     latest.set(axis, S::portion(gap, speed.magnitude()));
-}
-
-#[cfg(all(test, feature = "fixed"))]
-mod tests {
-    use crate::arithmetic::Each;
-    use fixed::types::{I0F32, I4F4, I8F8, I16F16};
-
-    use super::super::tests::{cases, clamped};
-    use crate::arithmetic::{InWholeWord, WholeWord};
-    use crate::query::Motion;
-    use crate::query::sweep::Passing;
-    use crate::query::sweep::time::Meets;
-    use crate::robust::WordKernel;
-    use crate::scalar::Scalar;
-    use crate::shape::{Aabb, Triangle};
-
-    fn check<S: Scalar + InWholeWord<W>, W: WholeWord>(bits: u32, of: impl Fn(i64) -> S) {
-        let mut seen = [0; 2];
-        cases(bits, of, |passing| {
-            let exactly = passing.exactly();
-            if exactly.misses::<S>() {
-                return;
-            }
-            let expected = exactly.first_contact::<S>();
-            let shapes = (passing.triangle, passing.aabb, passing.ends());
-            let found = Meets { passing, last: None }.narrow_volumes::<W>();
-            assert_eq!(found, Some(expected), "{shapes:?}");
-            seen[usize::from(expected.axis.is_some())] += 1;
-        });
-        assert!(seen.iter().all(|&n| n > 1_000), "{seen:?}");
-    }
-
-    /// There is no answer for shapes whose volumes a word cannot hold.
-    #[test]
-    fn words_leave_what_is_far() {
-        let at = |x: i32| [x, 0, 0].each(I16F16::from_bits);
-        let is_known = |vertex: i32, half: i32| {
-            let triangle = Triangle::new(at(vertex), at(0), at(0)).unwrap();
-            let aabb = Aabb::from_center_half_extents(at(0), at(half)).unwrap();
-            let motion = Motion::new(at(0), at(0)).unwrap();
-            let passing = Passing::new(&triangle, &aabb, &motion);
-            Meets { passing, last: None }.narrow_volumes::<i32>().is_some()
-        };
-        let most = (1 << 18) - 1;
-        assert!(is_known(most, 0) && is_known(-most - 1, 0) && is_known(0, most / 2));
-        // Twice the last extent is the end of the word, and four times it is zero.
-        for (vertex, half) in [(most + 1, 0), (-most - 2, 0), (0, most), (0, 1 << 30)] {
-            assert!(!is_known(vertex, half), "{vertex} {half}");
-        }
-    }
-
-    #[test]
-    fn words_agree_with_exact_sums() {
-        check::<I4F4, i16>(7, |x| I4F4::from_bits(x.clamp(-128, 127) as i8));
-        check::<I8F8, i32>(15, |x| I8F8::from_bits(x.clamp(-32768, 32767) as i16));
-        check::<I16F16, i32>(16, |x| I16F16::from_bits(clamped(x)));
-        check::<I16F16, i64>(31, |x| I16F16::from_bits(clamped(x)));
-        check::<I0F32, i64>(31, |x| I0F32::from_bits(clamped(x)));
-    }
 }

@@ -1,39 +1,26 @@
 use fixed::types::{I4F4, I8F8, I16F16};
 
-use crate::arithmetic::{Each, InWholeWord, WholeWord};
+use crate::arithmetic::{Each, InRaw, WholeWord};
 use crate::query::triangle_obb::Disjoint;
+use crate::random::Random;
 use crate::robust::{Predicate, WordKernel};
 use crate::scalar::Scalar;
 use crate::shape::{Obb, Triangle};
 
 /// Words agree with exact sums, for numbers of so many bits and lengths with so many zeros below
 /// them. Returns how often words answer: always, unless differences wrap around.
-fn check<S: Scalar + InWholeWord<W>, W: WholeWord>(
-    bits: u32,
-    zeros: u32,
-    of: impl Fn(i64) -> S,
-) -> u32 {
-    let mut seed = 1_u64;
-    let mut below = |n: u64| {
-        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        ((u128::from(seed) * u128::from(n)) >> 64) as i64
-    };
+fn check<S: Scalar + InRaw, W: WholeWord>(bits: u32, zeros: u32, of: impl Fn(i64) -> S) -> u32 {
+    let mut random = Random(1);
     let (mut asked, mut answered, mut apart) = (0, 0, 0);
     for case in 0..2_000 {
-        let end = (1 << bits) - 1;
-        let mut number = || match case % 3 {
-            0 => below(2 << bits) - end - 1,
-            1 => [-end - 1, end, 0, 1, -1][below(5) as usize],
-            _ => (below(5) - 2) << (bits - 3),
-        };
-        let mut point = || [number(), number(), number()];
+        let mut point = || [(); 3].each(|()| random.of_bits(case % 3, bits));
         let axes = [(); 3].each(|()| point().each(&of));
         let half = point().each(|x| of((x >> 2).abs() << zeros));
         let mut vector = || point().each(|x| of(x << zeros));
         let (center, triangle) = (vector(), Triangle::new(vector(), vector(), vector()));
         let triangle = triangle.unwrap();
         let Ok(obb) = Obb::from_skewed_axes(center, axes, half) else { continue };
-        let question = Disjoint { triangle: &triangle, obb: &obb };
+        let question = Disjoint::new(&triangle, &obb);
         let expected = question.exact();
         let found = question.narrow_volumes::<W>();
         // Differences of these wrap around.
@@ -66,6 +53,6 @@ fn wrapped_differences_stay_far() {
     let (zero, one) = (I16F16::ZERO, I16F16::ONE);
     let axes = [[one, zero, zero], [zero, one, zero], [zero, zero, one]];
     let obb = Obb::new(at([-1; 3]), axes, at([0; 3])).unwrap();
-    let question = Disjoint { triangle: &triangle, obb: &obb };
+    let question = Disjoint::new(&triangle, &obb);
     assert_eq!((question.exact(), question.narrow_volumes::<i32>()), (false, None));
 }

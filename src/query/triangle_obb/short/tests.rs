@@ -7,15 +7,6 @@ use crate::arithmetic::{Each, cross3, dot3, exp2};
 use crate::random::Random;
 use crate::shape::{Obb, Triangle, Vec3};
 
-struct Rng(Random);
-
-impl Rng {
-    /// An integer below 2^`bits`, positive or negative.
-    fn within(&mut self, bits: u32) -> i64 {
-        (self.0.bits() >> (63 - bits)) as i64 - (1 << bits)
-    }
-}
-
 fn wide<S: InRaw>(v: Vec3<S>) -> [i128; 3] {
     raw(&v).each(|x| x.into().into())
 }
@@ -52,10 +43,11 @@ fn found<S: Scalar + InRaw>(question: &Disjoint<'_, S>) -> Option<f64> {
 
 /// Tests shapes of all sizes, near and far, with the greatest and the least numbers.
 fn most_found<S: Scalar + InRaw>(bits: u32, of: impl Fn(i64) -> S) -> (u32, f64) {
-    let rng = &mut Rng(Random(0x0bb));
+    let random = &mut Random(0x0bb);
     let (mut asked, mut most) = (0, 0.0_f64);
     for case in 0..6_000 {
-        let mut row = |bits: u32| [(); 3].each(|()| rng.within(bits));
+        // Integers of so many bits.
+        let mut row = |bits: u32| [(); 3].each(|()| random.of_bits(0, bits));
         let ends = |x: i64| if case % 5 == 0 { (x >> (bits - 1)) * ((1 << bits) - 1) } else { x };
         let size = 1 + case % bits;
         let far = row(if case % 3 == 0 { bits } else { 1 });
@@ -68,7 +60,7 @@ fn most_found<S: Scalar + InRaw>(bits: u32, of: impl Fn(i64) -> S) -> (u32, f64)
         let axes = [(); 3].each(|()| Vec3::from(row(1 + case / 7 % bits).each(|x| of(ends(x)))));
         let triangle = Triangle::new(a, b, c).unwrap();
         let Ok(obb) = Obb::from_skewed_axes(center, axes, half) else { continue };
-        if let Some(found) = found(&Disjoint { triangle: &triangle, obb: &obb }) {
+        if let Some(found) = found(&Disjoint::new(&triangle, &obb)) {
             (asked, most) = (asked + 1, most.max(found));
         }
     }
