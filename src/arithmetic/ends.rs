@@ -1,8 +1,6 @@
 //! Intervals of floats around quotients of numbers with errors. `ends.g` proves that they hold what
 //! they are said to hold.
 
-use core::ops::Div;
-
 use super::float::Float;
 use super::index::three;
 use super::number::Number;
@@ -16,7 +14,7 @@ const ENDS_ON_LINE: u16 = 24;
 
 /// num/den, and a bound on its error, if the divisor is known to a quarter.
 #[inline(always)]
-fn quotient<F: Float + Div<Output = F>>(num: F, den: F, [error, other]: [F; 2]) -> Option<[F; 2]> {
+fn quotient<F: Float>(num: F, den: F, [error, other]: [F; 2]) -> Option<[F; 2]> {
     let two = F::from(2);
     // One division, which takes as long as all else.
     let inverse = F::from(1) / den;
@@ -27,11 +25,7 @@ fn quotient<F: Float + Div<Output = F>>(num: F, den: F, [error, other]: [F; 2]) 
 
 /// Two numbers that enclose num/den, if the divisor is known to a quarter.
 #[inline(always)]
-pub(crate) fn enclosed<F: Float + Div<Output = F>>(
-    num: F,
-    den: F,
-    errors: [F; 2],
-) -> Option<[F; 2]> {
+pub(crate) fn enclosed<F: Float>(num: F, den: F, errors: [F; 2]) -> Option<[F; 2]> {
     let [q, bound] = quotient(num, den, errors)?;
     let bound = bound + (bound + q.magnitude()).error(ENDS);
     Some([q - bound, q + bound])
@@ -49,7 +43,7 @@ pub(crate) fn lost_in_row<Q: Quad<Lane = f64>>(size: Q, inverse: Q, [error, othe
 /// Pairs of numbers that enclose the coordinates of a + v·num/den, likewise. The components of v err
 /// by a roundoff of themselves and `of_v`.
 #[inline(always)]
-pub(super) fn enclosed_on_line<F: Float + Div<Output = F>>(
+pub(super) fn enclosed_on_line<F: Float>(
     a: &[F; 3],
     v: &[F; 3],
     num: F,

@@ -3,7 +3,7 @@
 use core::ops::{Div, Mul};
 
 use super::number::{Number, greatest};
-use super::parts::{Bits, Parts, multiple, scaled};
+use super::parts::{Bits, Parts, exp2, multiple, scaled};
 use super::platform::REGISTERS_ARE_WIDE;
 use super::quad::OfFour;
 use super::soft::Soft;
@@ -136,14 +136,10 @@ macro_rules! float {
 // An underflow loses at most 2^-150 in each operation. Beyond the roundings, the bounds have 1·u·r²
 // (areas) and 4·u·r³ (volumes) to spare (query::triangle_aabb::error_bound), against about 10 and
 // 12·r + 6 underflows. That suffices from r = 2^-40 on. Above, r³·24 stays below 2^128 up to r = 2^41.
-float!(f32: 32, 23, (f32::from_bits((127 - 32) << 23), f32::from_bits((127 + 40) << 23)), 3 << 22 >> 4);
+float!(f32: 32, 23, (exp2(-32) as f32, exp2(40) as f32), 3 << 22 >> 4);
 // Likewise 2^-53·r² and 4·2^-53·r³ against 2^-1075, and r³·24 below 2^1024. A nonzero number that was
 // an f32 is always in the range.
-float!(
-    f64: 64, 52,
-    (f64::from_bits((1023 - 320) << 52), f64::from_bits((1023 + 320) << 52)),
-    3_u64 << 51 >> 14
-);
+float!(f64: 64, 52, (exp2(-320), exp2(320)), 3_u64 << 51 >> 14);
 
 /// The bits of all coordinates.
 pub(super) fn bits<F: Float>(all: &[[F; 3]]) -> Bits {
@@ -278,30 +274,8 @@ impl<S: Float + Into<F>, F: Float> InFloat<F> for S {
     }
 }
 
-#[cfg(test)]
-pub(crate) mod tests {
-    use super::Float;
-
-    /// 2^e, computed without bits.
-    pub(crate) fn two_to<F: Float>(e: i32) -> F {
-        let factor = if e < 0 { F::HALF } else { F::from(2_u16) };
-        (0..e.unsigned_abs()).fold(F::from(1_u16), |x, _| x * factor)
-    }
-
-    /// The constants of a type agree with the numbers that bounds and docs state.
-    fn check<F: Float>(digits: i32, range: [i32; 2], least_normal: i32) {
-        let one = F::from(1_u16);
-        assert!(F::ROUNDOFF == two_to(-digits));
-        assert!(one + F::ROUNDOFF == one && one + two_to(1 - digits) > one);
-        assert!(F::RANGE == (two_to(range[0]), two_to(range[1])));
-        assert!(F::UNDERFLOW == two_to(least_normal));
-        assert!(one.error(3) == F::ROUNDOFF + F::ROUNDOFF + F::ROUNDOFF);
-        assert!(one.in_range() && !F::RANGE.0.in_range() && !F::RANGE.1.in_range());
-    }
-
-    #[test]
-    fn constants_are_what_they_are_said_to_be() {
-        check::<f32>(24, [-32, 40], -126);
-        check::<f64>(53, [-320, 320], -1022);
-    }
+/// x in multiples of 2^(`unit` − 1023), rounded toward zero, if it is below 2^31.
+#[inline(never)]
+pub(crate) fn cut(x: f64, unit: i32) -> i32 {
+    x.in_units(unit)
 }

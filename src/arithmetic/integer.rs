@@ -219,9 +219,7 @@ fn of_four_wide(a: i128, b: i128) -> I256 {
 /// The product of two volumes of 64-bit coordinates.
 #[inline(never)]
 fn of_six(a: I256, b: I256) -> BigInt<6> {
-    let ((is_negative, a), (is_other_negative, b)) = (a.limbs(), b.limbs());
-    let product = BigInt(a).times(&BigInt(b));
-    if is_negative == is_other_negative { product } else { -product }
+    a.whole().times(&b.whole())
 }
 
 /// Whether all coordinates lie below two to the `most`.

@@ -45,7 +45,7 @@ pub(crate) use ends::{enclosed, lost_in_row};
 pub use filtered::Filtered;
 pub use float::Float;
 pub(crate) use float::{
-    FirstFloat, InFloat, cut_to_words, fraction_bits, is_whole, quotient, three_in_float,
+    FirstFloat, InFloat, cut, cut_to_words, fraction_bits, is_whole, quotient, three_in_float,
 };
 pub use full::{FullF32, FullF64};
 pub(crate) use index::{Each, cross3, dot3, minus3, pick, three, turn, two};
@@ -60,7 +60,7 @@ pub use number::{Limbed, Number};
 pub(crate) use number::{compare, greatest, largest, least, sign};
 pub(crate) use offset::Offset;
 pub use parts::Parts;
-pub(crate) use parts::{Bits, cut, exp2, exponent, is_zero, multiple, raised, short_product};
+pub(crate) use parts::{Bits, exp2, exponent, is_zero, multiple, raised, short_product};
 pub(crate) use platform::{
     REGISTERS_ARE_WIDE, SMALL_CODE, cuts_floats, is_software, out_of_line, out_of_line_if_wide,
     part,
@@ -87,7 +87,5 @@ pub use window::Window;
 pub use words::{InRaw, ProductSum, Raw, WholeVolume, WholeWord, Word};
 pub(crate) use words::{cross_words, dot_words, first_sign};
 
-#[cfg(test)]
-pub(crate) use float::tests::two_to;
 #[cfg(test)]
 pub(crate) use words::SplitSum;

@@ -92,16 +92,6 @@ pub(crate) fn scaled(magnitude: u64, exponent: i32) -> f64 {
     x
 }
 
-/// The size of x in multiples of 2^(`unit` − 1023), rounded down, if it is below 2^31.
-#[inline(never)]
-pub(crate) fn cut(x: f64, unit: i32) -> i32 {
-    const DIGITS: u32 = f64::MANTISSA_DIGITS - 1;
-    let bits = x.to_bits();
-    // The leading one and the 30 bits below it.
-    let mantissa = 1 << 30 | (bits >> (DIGITS - 30)) as i32 & ((1 << 30) - 1);
-    mantissa.checked_shr((unit + 30 - exponent(x)) as u32).unwrap_or(0)
-}
-
 /// 2^n, a normal number.
 #[inline(always)]
 pub(crate) const fn exp2(n: i32) -> f64 {

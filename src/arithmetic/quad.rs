@@ -6,26 +6,16 @@ use core::ops::{Add, Div, Mul, Sub};
 
 use super::number::{Number, greatest};
 
-#[cfg(not(all(
-    feature = "simd",
-    any(target_feature = "sse2", target_feature = "neon", target_feature = "simd128")
-)))]
-mod array;
-#[cfg(not(all(
-    feature = "simd",
-    any(target_feature = "sse2", target_feature = "neon", target_feature = "simd128")
-)))]
-pub(crate) use array::root_of_machine;
-#[cfg(all(
-    feature = "simd",
-    any(target_feature = "sse2", target_feature = "neon", target_feature = "simd128")
-))]
-mod vector;
-#[cfg(all(
-    feature = "simd",
-    any(target_feature = "sse2", target_feature = "neon", target_feature = "simd128")
-))]
-pub(crate) use vector::root_of_machine;
+#[cfg_attr(
+    all(
+        feature = "simd",
+        any(target_feature = "sse2", target_feature = "neon", target_feature = "simd128")
+    ),
+    path = "quad/vector.rs"
+)]
+mod machine;
+
+pub(crate) use machine::root_of_machine;
 
 /// Four floats side by side. Each lane of a result equals the result of the float's own operation,
 /// so an answer does not depend on the representation of a quad.

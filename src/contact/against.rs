@@ -16,10 +16,7 @@ fn half_words(v: &Vec64) -> Option<[i32; 3]> {
 
 /// In multiples of 2^(`unit` − 1023), cut toward zero.
 fn in_units(v: &Vec64, unit: i32) -> [i32; 3] {
-    v.each(|x| {
-        let (size, sign) = (cut(x, unit), (x.to_bits() >> 32) as i32 >> 31);
-        (size ^ sign) - sign
-    })
+    v.each(|x| cut(x, unit))
 }
 
 /// The face of a box most nearly antiparallel to a unit vector, among those of the axes in `of`, each on the

@@ -127,10 +127,7 @@ impl Rounded {
                     // To 16 bits.
                     let zeros = half.leading_zeros();
                     let half = (((half << zeros) >> 15) + 1) >> 1;
-                    let times = |x: i32| {
-                        (x >> 16) * half as i32 + (((x as u32 & 0xffff) * half) >> 16) as i32
-                    };
-                    let reach = side.each(times);
+                    let reach = side.each(|x| scaled(x, half));
                     let up = up + pair.ups[n] as i32;
                     (self.reach[n][k], of_reach[n][k]) = (reach, up - free + 32 - zeros as i32);
                     most = greatest(most, bits(&reach) + of_reach[n][k]);

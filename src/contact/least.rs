@@ -8,7 +8,7 @@ use super::directions::{Apart, Direction, all, sides_of_all};
 use super::exact::{Exact, Given, Sums, length};
 use super::filter::Filter;
 use super::integers::{Long, Short, Words, has_words, is_whole};
-use super::measures::{Directed, Lengths, Way};
+use super::measures::{Directed, Lengths, Way, unit_of};
 use super::mesh::InteriorEdges;
 use super::on_axis::on_axis;
 use super::settled::settled;
@@ -217,7 +217,7 @@ fn from_floats<S: Scalar>(
 fn directed<S: Scalar>((way, lengths): &(Way, Lengths)) -> Directed<S> {
     let ratios = lengths.ratios();
     let measures = lengths.measures_of(way.is_along, ratios);
-    let unit = lengths.unit_of(way.is_along, ratios);
+    let unit = unit_of(&lengths.coordinates, way.is_along, ratios);
     let depth = if REGISTERS_ARE_WIDE { f64::INFINITY } else { lengths.depth_in_double::<S>() };
     Directed { unit, depth, measures, way: *way }
 }

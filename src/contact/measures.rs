@@ -152,11 +152,7 @@ impl Lengths {
 
     /// The unit vector along which the first shape moves, in floats.
     pub(super) fn unit(&self, is_along: bool) -> Vec64 {
-        self.unit_of(is_along, self.ratios())
-    }
-
-    pub(super) fn unit_of(&self, is_along: bool, ratios: [Size; 3]) -> Vec64 {
-        unit_of(&self.coordinates, is_along, ratios)
+        unit_of(&self.coordinates, is_along, self.ratios())
     }
 }
 

@@ -30,10 +30,7 @@ impl Unit {
     /// In units, rounded toward zero.
     #[inline(never)]
     pub(super) fn flat(self, x: &[f64; 2]) -> Flat {
-        x.each(|x| {
-            let size = cut(x, self.0);
-            if x < 0.0 { -size } else { size }
-        })
+        x.each(|x| cut(x, self.0))
     }
 }
 

@@ -114,19 +114,10 @@ mod tests {
         let tiny = f32::from_bits(1);
         check(&[f32::MIN, -1e38, -3.0, -1.0, -tiny, 0.0, tiny, 1e-38, 0.1, 1.0, 2e38, f32::MAX]);
         check(&[16_777_214.0_f32, 16_777_215.0, 16_777_216.0, 16_777_218.0, 33_554_432.0]);
-        check(&[1e4, 1e4_f32.next_up_by(1), 1e4_f32.next_up_by(5), 1e4 + 1.0, 1e4 + 77.7]);
+        let up = |ulps: u32| f32::from_bits(1e4_f32.to_bits() + ulps);
+        check(&[1e4, up(1), up(5), 1e4 + 1.0, 1e4 + 77.7]);
         let tiny = f64::from_bits(1);
         check(&[f64::MIN, -1e300, -3.0, -tiny, 0.0, tiny, 1e-300, 0.1, 1.0, 1e308, f64::MAX]);
-    }
-
-    trait NextUp {
-        fn next_up_by(self, ulps: u32) -> Self;
-    }
-
-    impl NextUp for f32 {
-        fn next_up_by(self, ulps: u32) -> f32 {
-            f32::from_bits(self.to_bits() + ulps)
-        }
     }
 
     #[cfg(feature = "fixed")]

@@ -120,7 +120,7 @@ fn nearest_in_words(x: f64, places: i32) -> Option<i32> {
     if power == -2 || power >= 29 {
         return None;
     }
-    let size = (cut(x, 1022 - places) + 1) >> 1;
+    let size = (cut(x.abs(), 1022 - places) + 1) >> 1;
     Some(if x < 0.0 { -size } else { size })
 }
 

@@ -83,8 +83,6 @@ impl WholeWord for i64 {
 
 /// For lengths so short that nothing is split.
 impl ProductSum<i16> for i32 {
-    const IS_WHOLE: bool = true;
-
     #[inline(always)]
     fn new(a: i16, b: i16, c: i16, d: i16) -> Self {
         Self::from(a) * Self::from(b) + Self::from(c) * Self::from(d)
@@ -129,8 +127,6 @@ impl ProductSum<i16> for i32 {
 
 /// For cores that multiply words in full in one or two instructions.
 impl ProductSum<i32> for i64 {
-    const IS_WHOLE: bool = true;
-
     #[inline(always)]
     fn new(a: i32, b: i32, c: i32, d: i32) -> Self {
         Self::from(a) * Self::from(b) + Self::from(c) * Self::from(d)

@@ -53,8 +53,6 @@ pub struct SplitSum<W> {
 }
 
 impl<W: Word> ProductSum<W> for SplitSum<W> {
-    const IS_WHOLE: bool = false;
-
     #[inline(always)]
     fn new(a: W, b: W, c: W, d: W) -> Self {
         out_of_line_if_wide!(

@@ -101,9 +101,6 @@ pub trait Word:
 
 /// A sum of products of two lengths: see the table at [`Word`].
 pub trait ProductSum<W>: Copy {
-    /// Whether one multiplication gives a whole product.
-    const IS_WHOLE: bool;
-
     /// a·b + c·d.
     fn new(a: W, b: W, c: W, d: W) -> Self;
 

@@ -38,10 +38,11 @@ impl<S: Scalar> Passing<S> {
         let all = [a.low, a.high, a.grown, b.low, b.high, b.grown, *from, *to];
         let [a_low, a_high, a_grown, b_low, b_high, b_grown, from, to] = N::embed(&all)?;
         let grown = three(|i| a_grown[i] + b_grown[i]);
-        let is_grown = grown.iter().any(|&grown| grown != N::Length::ZERO);
-        Some(Slabs::new(is_grown, |i| {
+        let slabs = Slabs::new(true, |i| {
             [a_low[i] - b_high[i], a_high[i] - b_low[i], grown[i], to[i] - from[i]]
-        }))
+        });
+        let is_grown = grown != [N::Length::ZERO; 3];
+        Some(Slabs { spread: slabs.spread.filter(|_| is_grown), ..slabs })
     }
 }
 
