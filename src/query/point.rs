@@ -4,15 +4,15 @@
 //! vector from the centre, and w_i = u_j × u_k. By Cramer's rule d = Σ s_i·u_i with s_i =
 //! (w_i·d)/(w_0·u_0). So |s_i| exceeds h_i exactly if |w_i·d| exceeds h_i·|w_0·u_0|.
 
-use core::cmp::Ordering;
-
 use super::aabb_aabb::Apart;
 use super::orientation::{are_apart, from, in_doubt, sides, size};
 use super::relation::{Asked, Relation};
-use crate::arithmetic::{Each, Embeds, Number, cross3, dot3, greatest, largest, pick, turn};
-use crate::query::triangle_obb::{error_bound, operands, way};
-use crate::robust::{ExactSum, Predicate, Uncertain, add_determinant, differences, singles};
-use crate::scalar::Scalar;
+use crate::arithmetic::{
+    Each, Embeds, Number, REGISTERS_ARE_WIDE, Word, cross3, dot3, greatest, largest,
+};
+use crate::query::triangle_obb::{Disjoint, error_bound, operands, way};
+use crate::robust::{Predicate, Uncertain, in_cut_floats};
+use crate::scalar::{FixedBackend, Scalar};
 use crate::shape::{Aabb, AabbForm, Obb, Triangle, Vec3};
 
 impl<S: Scalar> Aabb<S> {
@@ -122,6 +122,12 @@ struct Outside<'a, S> {
     obb: &'a Obb<S>,
 }
 
+impl<S: Scalar> Outside<'_, S> {
+    fn triangle(&self) -> Triangle<S> {
+        Triangle::unchecked([Vec3::from(self.point); 3])
+    }
+}
+
 impl<S: Scalar> Predicate<S> for Outside<'_, S> {
     type Answer = bool;
 
@@ -147,22 +153,14 @@ impl<S: Scalar> Predicate<S> for Outside<'_, S> {
         so_far.verdict()
     }
 
-    fn exact(&self) -> bool {
-        let axes = self.obb.axes_as_arrays().each(singles);
-        let half = self.obb.half_extents().to_array();
-        let d = differences(&self.point, &self.obb.center().to_array());
-        let volume = self.obb.hand();
-        (0..3).any(|i| {
-            let (i, j, k) = turn(i);
-            let h = pick(&half, i).parts();
-            [Ordering::Greater, Ordering::Less].into_iter().any(|side| {
-                let mut gap = S::SeptumSum::new();
-                add_determinant(&mut gap, [pick(&axes, j), pick(&axes, k), &d], Some(S::ONE));
-                let h = if volume == side { h.negated() } else { h };
-                add_determinant(&mut gap, axes.each_ref(), Some(h));
-                gap.sign() == side
-            })
-        })
+    /// As for a triangle, where integers of the machine do not hold the products of the coordinates.
+    #[inline(always)]
+    fn in_words(&self, _: bool) -> Option<bool>
+    where
+        S: FixedBackend,
+    {
+        let is_long = !REGISTERS_ARE_WIDE || S::Raw::BITS == 64;
+        if is_long { Disjoint::new(&self.triangle(), self.obb).in_words(false) } else { None }
     }
 }
 
@@ -181,7 +179,8 @@ impl<S: Scalar> Obb<S> {
     /// as that of a triangle and an oriented box. Outside, and for floats within rounding of a
     /// face, exact sums decide, a hundred times slower.
     ///
-    /// *Panics*: never. *Cost*: about 36 multiplications; fixed point in 128 bits.
+    /// *Panics*: never. *Cost*: about 36 multiplications. Fixed point of 64 bits, and all scalars on 32-bit
+    /// cores, begin as with a [triangle](Triangle#impl-Overlaps<Obb<S>>-for-Triangle<S>).
     ///
     /// *Source*: Cramer's rule, without its division.
     ///
@@ -198,7 +197,11 @@ impl<S: Scalar> Obb<S> {
     #[must_use]
     pub fn contains(&self, point: impl Into<Vec3<S>>) -> bool {
         let p = point.into();
-        p.is_finite() && !S::evaluate(&Outside { point: p.to_array(), obb: self })
+        let question = Outside { point: p.to_array(), obb: self };
+        let in_words = || Disjoint::new(&question.triangle(), self).of_cut_floats();
+        let is_outside =
+            || in_cut_floats::<S, _>(in_words).unwrap_or_else(|| S::evaluate(&question));
+        p.is_finite() && !is_outside()
     }
 }
 
@@ -220,7 +223,7 @@ mod tests {
                 point[i] = one_up(point[i]);
                 for point in [p, point] {
                     let question = Outside { point, obb: &obb };
-                    let exact = question.exact();
+                    let exact = Disjoint::new(&question.triangle(), &obb).exact();
                     let first = S::evaluate_bounded(&question);
                     assert!(first.is_none_or(|answer| answer == exact), "{point:?}");
                     assert_eq!(S::evaluate(&question), exact, "{point:?}");

@@ -14,8 +14,8 @@
 //! The last two hold whichever signs h, w·m and u·(m × d) have, for the proofs bound magnitudes. u·w
 //! is w·d for an axis in place of the direction, with A in place of D.
 //!
-//! The proofs include second orders and underflow. R, D and T are zero or within the range of a
-//! float, so underflow loses far less than the bounds allow.
+//! The proofs include second orders and underflow. R and T are within the range of a float, so underflow
+//! loses far less than the bounds allow. So is D, or it is zero, and so are all products with the direction.
 
 use core::ops::Mul;
 
@@ -59,7 +59,10 @@ pub(super) fn error_bound<N: Arithmetic>(
     let far = greatest(size, direction * ends);
     let two = one + one;
     // Axes are unit vectors, or nearly. Longer ones go to the last stage.
-    let is_known = axes < two + two && size.in_range() && far.in_range() && direction.in_range();
+    let is_known = axes < two + two
+        && size.in_range()
+        && far.in_range()
+        && (direction.in_range() || direction == zero);
     let square = axes * axes;
     is_known.then(|| ErrorBound {
         direction: (square * direction).error(DIRECTION),

@@ -9,6 +9,7 @@ use crate::arithmetic::Int16;
 use crate::arithmetic::{Arithmetic, Embeds, Number, greatest, part};
 use crate::query::Overlaps;
 use crate::query::orientation::Vector;
+use crate::query::triangle_obb::lie_along_one_axis;
 use crate::robust::{Predicate, Uncertain};
 use crate::scalar::Scalar;
 #[cfg(feature = "fixed")]
@@ -27,6 +28,13 @@ fn lies_outside<N: Arithmetic>(
         Some(side) => Uncertain::known(side.is_le()),
         None => Uncertain::not_below(-along::<N>(n, c), errors.side),
     }
+}
+
+/// Whether a triangle or a parallelogram with these edges certainly has no area.
+#[cold]
+#[inline(never)]
+fn has_no_area<N: Arithmetic>(e: &Vector<N>, f: &Vector<N>) -> bool {
+    lie_along_one_axis(e, f)
 }
 
 impl<N: Arithmetic> Reach<N> {
@@ -103,7 +111,13 @@ impl<N: Arithmetic> Reach<N> {
                 (is_outside, by_edges) = (is_outside.or(is_out), by_edges.and(by_edge));
             }
         }
-        (by_plane.or(is_outside).and(by_edges).verdict(), inside_of)
+        let verdict = by_plane.or(is_outside).and(by_edges).verdict();
+        let is_in_doubt = verdict.is_none() && by_edges.certain;
+        if is_in_doubt && has_no_area::<N>(&edges[0], &edges[1]) {
+            // It is its edges.
+            return (Some(true), inside_of);
+        }
+        (verdict, inside_of)
     }
 
     /// Whether a plane with normal `n` lies beyond, for each of these n·d.

@@ -101,6 +101,16 @@ impl<N: Arithmetic> Reach<N> {
     /// That is certain in all systems, because rounding a difference keeps order.
     #[inline(always)]
     pub(in crate::query) fn is_beyond<const K: usize>(&self, vectors: &[Vector<N>; K]) -> bool {
+        self.is_beyond_by(vectors, N::Length::ZERO)
+    }
+
+    /// The same for vectors whose coordinates err by up to `margin`.
+    #[inline(always)]
+    pub(in crate::query) fn is_beyond_by<const K: usize>(
+        &self,
+        vectors: &[Vector<N>; K],
+        margin: N::Length,
+    ) -> bool {
         let mut ends = [vectors[0]; 2];
         for v in &vectors[1..] {
             for i in 0..3 {
@@ -108,7 +118,11 @@ impl<N: Arithmetic> Reach<N> {
             }
         }
         let [low, high] = ends;
-        (0..3).any(|i| low[i] > self.radius || -high[i] > self.radius)
+        let is_beyond = |x: N::Length| {
+            let x = if N::CERTAIN { x } else { x - margin };
+            x > self.radius
+        };
+        (0..3).any(|i| is_beyond(low[i]) || is_beyond(-high[i]))
     }
 
     /// Whether a point at `d` lies beyond the radius. The components of `d` err by a roundoff of

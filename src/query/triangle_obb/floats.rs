@@ -51,7 +51,7 @@ impl<S: Scalar, R> Disjoint<'_, S, R> {
     }
 
     #[inline(never)]
-    fn of_cut_floats(&self) -> Option<bool> {
+    pub(in crate::query) fn of_cut_floats(&self) -> Option<bool> {
         let ([a, b, c], [center, u, v, w, half]) = (self.triangle.points(), self.obb.numbers());
         let ([a, b, c, center, half], _) = cut_to_words(&[a, b, c, center, half])?;
         let (axes, unit) = cut_to_words(&[u, v, w])?;

@@ -35,7 +35,7 @@ pub(in crate::query) fn way<N: Arithmetic>(
     operands::<N>([to[0] - from[0], to[1] - from[1], to[2] - from[2]])
 }
 
-/// The relation of a triangle and a parallelepiped from the 13 axes. `looks_twice` leaves out edge
+/// The relation of a triangle and a parallelepiped from the 13 axes. `looks_twice` leaves out
 /// axes that are certainly zero or that other axes decide. On vectors that are zero or nearly, a
 /// rounded gap never exceeds its bound.
 ///
@@ -55,7 +55,8 @@ pub(in crate::query) fn way<N: Arithmetic>(
 /// An edge that is parallel to an axis up to rounding is decided as with two boxes (see
 /// `obb_obb::kernel`). Seen along e_k the triangle is a segment with normal n. Flattened by h_i =
 /// 0, the box is a parallelogram with sides along u_j and u_l. If n, e_k × u_j and e_k × u_l do not
-/// separate these two, e_k × u_i does not separate the shapes.
+/// separate these two, e_k × u_i does not separate the shapes. A triangle two of whose vertices are one has
+/// no normal, and is a point in that view: the other two decide.
 #[inline(always)]
 pub(super) fn all_axes<P: Number + Mul<Output = P>, R: Reading>(
     s: &Parallelepiped<P>,
@@ -81,8 +82,11 @@ pub(super) fn all_axes<P: Number + Mul<Output = P>, R: Reading>(
         let r = un[0].magnitude() * h[0] + un[1].magnitude() * h[1] + un[2].magnitude() * h[2];
         ((dot3(&n, &t[0]) * *one).magnitude() - r, r)
     };
-    let (gap, reach) = on_plane(h);
-    so_far.add(gap, reach, error_bound.plane);
+    let is_thin = looks_twice && e.contains(&[P::ZERO; 3]);
+    if !is_thin {
+        let (gap, reach) = on_plane(h);
+        so_far.add(gap, reach, error_bound.plane);
+    }
 
     for k in 0..3 {
         let m = cross3(&e[k], &t[k]);
@@ -102,7 +106,7 @@ pub(super) fn all_axes<P: Number + Mul<Output = P>, R: Reading>(
             if looks_twice && gap >= -error_bound.edge {
                 let (i, j, l) = turn(i);
                 let is_settled = |h: &[P; 3]| {
-                    on_plane(h).0 < -error_bound.plane
+                    (is_thin || on_plane(h).0 < -error_bound.plane)
                         && on_edge(j, h).0 < -error_bound.edge
                         && on_edge(l, h).0 < -error_bound.edge
                 };

@@ -43,7 +43,7 @@ pub(super) use known::{Known, Size, raw};
 
 /// Are the triangle and the oriented box disjoint, or, by [`Nearness`](super::relation::Nearness), do they
 /// touch or overlap?
-struct Disjoint<'a, S, R = Uncertain> {
+pub(super) struct Disjoint<'a, S, R = Uncertain> {
     triangle: &'a Triangle<S>,
     obb: &'a Obb<S>,
     reading: PhantomData<R>,
@@ -51,7 +51,7 @@ struct Disjoint<'a, S, R = Uncertain> {
 
 impl<'a, S> Disjoint<'a, S> {
     #[inline(always)]
-    const fn new(triangle: &'a Triangle<S>, obb: &'a Obb<S>) -> Self {
+    pub(super) const fn new(triangle: &'a Triangle<S>, obb: &'a Obb<S>) -> Self {
         Self { triangle, obb, reading: PhantomData }
     }
 }
