@@ -1,5 +1,6 @@
-//! Questions about a mesh, in `float` with indices of 16 bits. tests/header.rs makes the files of
-//! the other types, and of 32-bit indices, from this one.
+//! Questions about a mesh, in `float` with indices of 16 bits. build.rs makes those of the other
+//! types, and of 32-bit indices, from this file.
+
 use crate::manifolds;
 use crate::mesh::{self, Mesh, Tree};
 #[allow(unused_imports, reason = "floats need no name")]

@@ -1,5 +1,5 @@
-//! Questions about two shapes, in `float`. tests/header.rs makes the files of the other types from
-//! this one, because cbindgen reads the source before macros are expanded.
+//! Questions about two shapes, in `float`. build.rs makes those of the other types from this file.
+
 #[allow(unused_imports, reason = "floats need no name")]
 use crate::number::*;
 use crate::queries;
