@@ -2,13 +2,13 @@
 
 use core::slice;
 
+use septum::Triangle;
 use septum::contact::{ContactWith, InteriorEdges, contact_in_mesh, interior_edges};
 use septum::mesh::{Index, Probe};
-use septum::{ShapeError, Triangle};
 
 use crate::mesh::{Tree, opened};
 use crate::number::Number;
-use crate::shapes::{Answer, Contact};
+use crate::shapes::{Answer, Contact, Shape};
 
 /// The scratch memory has a triangle and an edge in each entry, and a byte is a set of edges.
 const fn fit<I>() {
@@ -48,16 +48,17 @@ pub(crate) unsafe fn edges<T: Number, I: Index>(
 /// # Safety
 /// As for [`opened`]; `interior` is null or has an element for each triangle, and there is room for
 /// `count` triangles and contacts.
-pub(crate) unsafe fn contacts<T: Number, I: Index, P: Probe<T::Scalar>>(
+pub(crate) unsafe fn contacts<T: Number, I: Index, S>(
     tree: Option<&Tree<T, I>>,
-    shape: Option<Result<P, ShapeError>>,
+    shape: Option<&S>,
     interior: *const u8,
     triangles: *mut usize,
     contacts: *mut Contact<T>,
     count: Option<&mut usize>,
 ) -> Answer
 where
-    Triangle<T::Scalar>: ContactWith<T::Scalar, P>,
+    S: Shape<Of: Probe<T::Scalar>>,
+    Triangle<T::Scalar>: ContactWith<T::Scalar, S::Of>,
 {
     const { fit::<I>() };
     let (Some(shape), Some(count)) = (shape, count) else { return Answer::NullPointer };
@@ -65,10 +66,9 @@ where
         return Answer::NullPointer;
     }
     // SAFETY: as the caller promises.
-    let (tree, shape) = match (unsafe { opened(tree) }, shape) {
+    let (tree, shape) = match (unsafe { opened(tree) }, shape.shape()) {
         (Ok(tree), Ok(shape)) => (tree, shape),
-        (Err(error), _) => return error,
-        (_, Err(error)) => return error.into(),
+        (Err(error), _) | (_, Err(error)) => return error,
     };
     let mut found = 0;
     for i in tree.overlapping(&shape) {

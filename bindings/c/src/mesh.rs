@@ -5,11 +5,13 @@ use core::mem::{align_of, size_of};
 use core::slice;
 
 use septum::Vec3;
-use septum::mesh::{self, Index, MeshError, Node};
+use septum::mesh::{self, Index, MeshError, Node, Probe};
 
 use crate::number::Number;
 use crate::queries::by;
-use crate::shapes::{Aabb, Answer, Closest, FirstContact, Hit, Ray, Sphere, SphereContact, point};
+use crate::shapes::{
+    Aabb, Answer, Closest, FirstContact, Hit, Ray, Shape, Sphere, SphereContact, point,
+};
 
 /// A closed mesh and the nodes of its tree, for example in flash. Triangles are indices of
 /// vertices; with nodes they are listed in the tree's order. The program in examples/pick writes such
@@ -237,32 +239,19 @@ pub(crate) unsafe fn is_hit<T: Number, I: Index>(
 
 /// # Safety
 /// As for [`opened`].
-pub(crate) unsafe fn aabb<T: Number, I: Index>(
+pub(crate) unsafe fn overlapping<T: Number, I: Index, S>(
     tree: Option<&Tree<T, I>>,
-    aabb: Option<&Aabb<T>>,
+    shape: Option<&S>,
     triangle: Option<&mut usize>,
-) -> Answer {
-    let Some(aabb) = aabb else { return Answer::NullPointer };
+) -> Answer
+where
+    S: Shape<Of: Probe<T::Scalar>>,
+{
+    let Some(shape) = shape else { return Answer::NullPointer };
     // SAFETY: as the caller promises.
     unsafe {
         find(tree, triangle, Some(&mut ()), |tree| {
-            Ok(tree.overlapping(&aabb.shape()?).next().map(|i| (i, ())))
-        })
-    }
-}
-
-/// # Safety
-/// As for [`opened`].
-pub(crate) unsafe fn sphere<T: Number, I: Index>(
-    tree: Option<&Tree<T, I>>,
-    sphere: Option<&Sphere<T>>,
-    triangle: Option<&mut usize>,
-) -> Answer {
-    let Some(sphere) = sphere else { return Answer::NullPointer };
-    // SAFETY: as the caller promises.
-    unsafe {
-        find(tree, triangle, Some(&mut ()), |tree| {
-            Ok(tree.overlapping(&sphere.shape()?).next().map(|i| (i, ())))
+            Ok(tree.overlapping(&shape.shape()?).next().map(|i| (i, ())))
         })
     }
 }

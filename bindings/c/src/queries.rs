@@ -1,59 +1,21 @@
 //! Questions about two shapes, in any type of numbers.
 
-use septum::contact::{self, Part};
+use septum::contact::{self, ContactWith, Part};
 use septum::sweep::{Motion, Sweep};
-use septum::{Axis, Feature, ShapeError};
+use septum::{Axis, Feature, Overlaps, ShapeError};
 
 use crate::number::Number;
 use crate::shapes::{
-    Aabb, Answer, Capsule, Closest, Contact, FirstContact, Hit, Obb, Point, Range, Ray, Sphere,
+    Aabb, Answer, Closest, Contact, FirstContact, Hit, Obb, Point, Range, Ray, Shape, Sphere,
     SphereContact, Triangle, point,
 };
 
-pub(crate) fn triangle_aabb<T: Number>(
-    triangle: Option<&Triangle<T>>,
-    aabb: Option<&Aabb<T>>,
-) -> Answer {
-    ask(triangle, aabb, |triangle, aabb| Ok(triangle.shape()?.overlaps(&aabb.shape()?)))
-}
-
-pub(crate) fn triangle_obb<T: Number>(
-    triangle: Option<&Triangle<T>>,
-    obb: Option<&Obb<T>>,
-) -> Answer {
-    ask(triangle, obb, |triangle, obb| Ok(triangle.shape()?.overlaps(&obb.shape()?)))
-}
-
-pub(crate) fn triangle_triangle<T: Number>(
-    first: Option<&Triangle<T>>,
-    second: Option<&Triangle<T>>,
-) -> Answer {
-    ask(first, second, |first, second| Ok(first.shape()?.overlaps(&second.shape()?)))
-}
-
-pub(crate) fn sphere_triangle<T: Number>(
-    sphere: Option<&Sphere<T>>,
-    triangle: Option<&Triangle<T>>,
-) -> Answer {
-    ask(sphere, triangle, |sphere, triangle| Ok(sphere.shape()?.overlaps(&triangle.shape()?)))
-}
-
-pub(crate) fn sphere_aabb<T: Number>(sphere: Option<&Sphere<T>>, aabb: Option<&Aabb<T>>) -> Answer {
-    ask(sphere, aabb, |sphere, aabb| Ok(sphere.shape()?.overlaps(&aabb.shape()?)))
-}
-
-pub(crate) fn capsule_triangle<T: Number>(
-    capsule: Option<&Capsule<T>>,
-    triangle: Option<&Triangle<T>>,
-) -> Answer {
-    ask(capsule, triangle, |capsule, triangle| Ok(capsule.shape()?.overlaps(&triangle.shape()?)))
-}
-
-pub(crate) fn capsule_aabb<T: Number>(
-    capsule: Option<&Capsule<T>>,
-    aabb: Option<&Aabb<T>>,
-) -> Answer {
-    ask(capsule, aabb, |capsule, aabb| Ok(capsule.shape()?.overlaps(&aabb.shape()?)))
+pub(crate) fn overlaps<A, B>(a: Option<&A>, b: Option<&B>) -> Answer
+where
+    A: Shape<Of: Overlaps<B::Of>>,
+    B: Shape,
+{
+    ask(a, b, |a, b| Ok(a.shape()?.overlaps(&b.shape()?)))
 }
 
 pub(crate) fn triangle_closest_point<T: Number>(
@@ -62,10 +24,6 @@ pub(crate) fn triangle_closest_point<T: Number>(
     closest: Option<&mut Closest<T>>,
 ) -> Answer {
     find(triangle, p, closest, |triangle, p| Ok(Some(triangle.shape()?.closest_point(point(p))?)))
-}
-
-pub(crate) fn ray_aabb<T: Number>(ray: Option<&Ray<T>>, aabb: Option<&Aabb<T>>) -> Answer {
-    ask(ray, aabb, |ray, aabb| Ok(ray.shape()?.overlaps(&aabb.shape()?)))
 }
 
 pub(crate) fn ray_triangle<T: Number>(
@@ -97,88 +55,30 @@ pub(crate) fn aabb_cast_triangle<T: Number>(
     })
 }
 
-pub(crate) fn triangle_aabb_contact<T: Number>(
-    triangle: Option<&Triangle<T>>,
-    aabb: Option<&Aabb<T>>,
-    contact: Option<&mut Contact<T>>,
-) -> Answer {
-    find(triangle, aabb, contact, |triangle, aabb| {
-        Ok(contact::contact(&triangle.shape()?, &aabb.shape()?))
-    })
+pub(crate) fn contact<T: Number, A, B>(
+    a: Option<&A>,
+    b: Option<&B>,
+    place: Option<&mut Contact<T>>,
+) -> Answer
+where
+    A: Shape<Of: ContactWith<T::Scalar, B::Of>>,
+    B: Shape,
+{
+    find(a, b, place, |a, b| Ok(contact::contact(&a.shape()?, &b.shape()?)))
 }
 
-pub(crate) fn obb_obb_contact<T: Number>(
-    first: Option<&Obb<T>>,
-    second: Option<&Obb<T>>,
-    contact: Option<&mut Contact<T>>,
-) -> Answer {
-    find(first, second, contact, |first, second| {
-        Ok(contact::contact(&first.shape()?, &second.shape()?))
-    })
-}
-
-pub(crate) fn sphere_triangle_contact<T: Number>(
-    sphere: Option<&Sphere<T>>,
-    triangle: Option<&Triangle<T>>,
-    contact: Option<&mut Contact<T>>,
-) -> Answer {
-    find(sphere, triangle, contact, |sphere, triangle| {
-        Ok(contact::contact(&sphere.shape()?, &triangle.shape()?))
-    })
-}
-
-pub(crate) fn sphere_aabb_contact<T: Number>(
-    sphere: Option<&Sphere<T>>,
-    aabb: Option<&Aabb<T>>,
-    contact: Option<&mut Contact<T>>,
-) -> Answer {
-    find(sphere, aabb, contact, |sphere, aabb| {
-        Ok(contact::contact(&sphere.shape()?, &aabb.shape()?))
-    })
-}
-
-pub(crate) fn capsule_triangle_contact<T: Number>(
-    capsule: Option<&Capsule<T>>,
-    triangle: Option<&Triangle<T>>,
-    contact: Option<&mut Contact<T>>,
-) -> Answer {
-    find(capsule, triangle, contact, |capsule, triangle| {
-        Ok(contact::contact(&capsule.shape()?, &triangle.shape()?))
-    })
-}
-
-pub(crate) fn capsule_aabb_contact<T: Number>(
-    capsule: Option<&Capsule<T>>,
-    aabb: Option<&Aabb<T>>,
-    contact: Option<&mut Contact<T>>,
-) -> Answer {
-    find(capsule, aabb, contact, |capsule, aabb| {
-        Ok(contact::contact(&capsule.shape()?, &aabb.shape()?))
-    })
-}
-
-pub(crate) fn sphere_cast_triangle<T: Number>(
+pub(crate) fn sphere_cast<T: Number, B: Shape, C>(
     sphere: Option<&Sphere<T>>,
     motion: Option<&[T; 3]>,
-    triangle: Option<&Triangle<T>>,
+    b: Option<&B>,
     first: Option<&mut SphereContact<T>>,
-) -> Answer {
+) -> Answer
+where
+    septum::Sphere<T::Scalar>: Sweep<B::Of, Scalar = T::Scalar, Contact = C>,
+    SphereContact<T>: From<C>,
+{
     let Some(motion) = motion else { return Answer::NullPointer };
-    find(sphere, triangle, first, |sphere, triangle| {
-        Ok(sphere.shape()?.first_contact(&by(motion)?, &triangle.shape()?))
-    })
-}
-
-pub(crate) fn sphere_cast_aabb<T: Number>(
-    sphere: Option<&Sphere<T>>,
-    motion: Option<&[T; 3]>,
-    aabb: Option<&Aabb<T>>,
-    first: Option<&mut SphereContact<T>>,
-) -> Answer {
-    let Some(motion) = motion else { return Answer::NullPointer };
-    find(sphere, aabb, first, |sphere, aabb| {
-        Ok(sphere.shape()?.first_contact(&by(motion)?, &aabb.shape()?))
-    })
+    find(sphere, b, first, |sphere, b| Ok(sphere.shape()?.first_contact(&by(motion)?, &b.shape()?)))
 }
 
 pub(crate) fn ray_sphere_range<T: Number>(

@@ -195,40 +195,59 @@ impl From<ShapeError> for Answer {
     }
 }
 
-impl<T: Number> Triangle<T> {
-    pub(crate) fn shape(&self) -> Result<septum::Triangle<T::Scalar>, ShapeError> {
-        septum::Triangle::new(point(&self.a), point(&self.b), point(&self.c))
+/// A shape of C, as the crate's.
+pub(crate) trait Shape {
+    type Of;
+
+    fn shape(&self) -> Result<Self::Of, Answer>;
+}
+
+impl<T: Number> Shape for Triangle<T> {
+    type Of = septum::Triangle<T::Scalar>;
+
+    fn shape(&self) -> Result<Self::Of, Answer> {
+        Ok(septum::Triangle::new(point(&self.a), point(&self.b), point(&self.c))?)
     }
 }
 
-impl<T: Number> Aabb<T> {
-    pub(crate) fn shape(&self) -> Result<septum::Aabb<T::Scalar>, ShapeError> {
-        septum::Aabb::from_min_max(point(&self.min), point(&self.max))
+impl<T: Number> Shape for Aabb<T> {
+    type Of = septum::Aabb<T::Scalar>;
+
+    fn shape(&self) -> Result<Self::Of, Answer> {
+        Ok(septum::Aabb::from_min_max(point(&self.min), point(&self.max))?)
     }
 }
 
-impl<T: Number> Obb<T> {
-    pub(crate) fn shape(&self) -> Result<septum::Obb<T::Scalar>, ShapeError> {
+impl<T: Number> Shape for Obb<T> {
+    type Of = septum::Obb<T::Scalar>;
+
+    fn shape(&self) -> Result<Self::Of, Answer> {
         let [u, v, w] = &self.axes;
         let axes = [point(u), point(v), point(w)];
-        septum::Obb::new(point(&self.center), axes, point(&self.half_extents))
+        Ok(septum::Obb::new(point(&self.center), axes, point(&self.half_extents))?)
     }
 }
 
-impl<T: Number> Sphere<T> {
-    pub(crate) fn shape(&self) -> Result<septum::Sphere<T::Scalar>, ShapeError> {
-        septum::Sphere::new(point(&self.center), self.radius.scalar())
+impl<T: Number> Shape for Sphere<T> {
+    type Of = septum::Sphere<T::Scalar>;
+
+    fn shape(&self) -> Result<Self::Of, Answer> {
+        Ok(septum::Sphere::new(point(&self.center), self.radius.scalar())?)
     }
 }
 
-impl<T: Number> Capsule<T> {
-    pub(crate) fn shape(&self) -> Result<septum::Capsule<T::Scalar>, ShapeError> {
-        septum::Capsule::new(point(&self.a), point(&self.b), self.radius.scalar())
+impl<T: Number> Shape for Capsule<T> {
+    type Of = septum::Capsule<T::Scalar>;
+
+    fn shape(&self) -> Result<Self::Of, Answer> {
+        Ok(septum::Capsule::new(point(&self.a), point(&self.b), self.radius.scalar())?)
     }
 }
 
-impl<T: Number> Ray<T> {
-    pub(crate) fn shape(&self) -> Result<septum::Ray<T::Scalar>, Answer> {
+impl<T: Number> Shape for Ray<T> {
+    type Of = septum::Ray<T::Scalar>;
+
+    fn shape(&self) -> Result<Self::Of, Answer> {
         let ray = septum::Ray::new(point(&self.origin), point(&self.direction))?;
         let zero = <T::Scalar as septum::Scalar>::ZERO;
         let end = |t: T, unbounded: T| (t != unbounded).then(|| t.scalar());

@@ -98,7 +98,7 @@ pub unsafe extern "C" fn septum_tree_aabb_f32(
     triangle: Option<&mut usize>,
 ) -> Answer {
     // SAFETY: as the caller promises.
-    unsafe { mesh::aabb(tree, aabb, triangle) }
+    unsafe { mesh::overlapping(tree, aabb, triangle) }
 }
 
 /// Whether a sphere overlaps any triangle, exactly; the first in the tree's order is written if the
@@ -113,7 +113,7 @@ pub unsafe extern "C" fn septum_tree_sphere_f32(
     triangle: Option<&mut usize>,
 ) -> Answer {
     // SAFETY: as the caller promises.
-    unsafe { mesh::sphere(tree, sphere, triangle) }
+    unsafe { mesh::overlapping(tree, sphere, triangle) }
 }
 
 /// The triangle closest to a point, exactly, and its point, rounded; of several at one distance the
@@ -201,7 +201,6 @@ pub unsafe extern "C" fn septum_tree_sphere_contacts_f32(
     contacts: *mut Contact<f32>,
     count: Option<&mut usize>,
 ) -> Answer {
-    let sphere = sphere.map(Sphere::shape);
     // SAFETY: as the caller promises.
     unsafe { manifolds::contacts(tree, sphere, interior, triangles, contacts, count) }
 }
@@ -219,7 +218,6 @@ pub unsafe extern "C" fn septum_tree_capsule_contacts_f32(
     contacts: *mut Contact<f32>,
     count: Option<&mut usize>,
 ) -> Answer {
-    let capsule = capsule.map(Capsule::shape);
     // SAFETY: as the caller promises.
     unsafe { manifolds::contacts(tree, capsule, interior, triangles, contacts, count) }
 }

@@ -14,7 +14,7 @@ pub extern "C" fn septum_triangle_aabb_f32(
     triangle: Option<&Triangle<f32>>,
     aabb: Option<&Aabb<f32>>,
 ) -> Answer {
-    queries::triangle_aabb(triangle, aabb)
+    queries::overlaps(triangle, aabb)
 }
 
 /// Whether a triangle overlaps an oriented box, exactly for the numbers given.
@@ -23,7 +23,7 @@ pub extern "C" fn septum_triangle_obb_f32(
     triangle: Option<&Triangle<f32>>,
     obb: Option<&Obb<f32>>,
 ) -> Answer {
-    queries::triangle_obb(triangle, obb)
+    queries::overlaps(triangle, obb)
 }
 
 /// Whether two triangles overlap, exactly.
@@ -32,7 +32,7 @@ pub extern "C" fn septum_triangle_triangle_f32(
     first: Option<&Triangle<f32>>,
     second: Option<&Triangle<f32>>,
 ) -> Answer {
-    queries::triangle_triangle(first, second)
+    queries::overlaps(first, second)
 }
 
 /// Whether a sphere overlaps a triangle, exactly.
@@ -41,7 +41,7 @@ pub extern "C" fn septum_sphere_triangle_f32(
     sphere: Option<&Sphere<f32>>,
     triangle: Option<&Triangle<f32>>,
 ) -> Answer {
-    queries::sphere_triangle(sphere, triangle)
+    queries::overlaps(sphere, triangle)
 }
 
 /// Whether a sphere overlaps an axis-aligned box, exactly.
@@ -50,7 +50,7 @@ pub extern "C" fn septum_sphere_aabb_f32(
     sphere: Option<&Sphere<f32>>,
     aabb: Option<&Aabb<f32>>,
 ) -> Answer {
-    queries::sphere_aabb(sphere, aabb)
+    queries::overlaps(sphere, aabb)
 }
 
 /// Whether a capsule overlaps a triangle, exactly.
@@ -59,7 +59,7 @@ pub extern "C" fn septum_capsule_triangle_f32(
     capsule: Option<&Capsule<f32>>,
     triangle: Option<&Triangle<f32>>,
 ) -> Answer {
-    queries::capsule_triangle(capsule, triangle)
+    queries::overlaps(capsule, triangle)
 }
 
 /// Whether a capsule overlaps an axis-aligned box, exactly.
@@ -68,7 +68,7 @@ pub extern "C" fn septum_capsule_aabb_f32(
     capsule: Option<&Capsule<f32>>,
     aabb: Option<&Aabb<f32>>,
 ) -> Answer {
-    queries::capsule_aabb(capsule, aabb)
+    queries::overlaps(capsule, aabb)
 }
 
 /// Writes the point of a triangle closest to a point, each coordinate rounded once: yes, or the
@@ -90,7 +90,7 @@ pub unsafe extern "C" fn septum_triangle_closest_point_f32(
 /// Whether a ray meets an axis-aligned box, exactly.
 #[unsafe(no_mangle)]
 pub extern "C" fn septum_ray_aabb_f32(ray: Option<&Ray<f32>>, aabb: Option<&Aabb<f32>>) -> Answer {
-    queries::ray_aabb(ray, aabb)
+    queries::overlaps(ray, aabb)
 }
 
 /// Whether a ray hits a triangle, exactly. A degenerate triangle is never hit.
@@ -138,7 +138,7 @@ pub extern "C" fn septum_triangle_aabb_contact_f32(
     aabb: Option<&Aabb<f32>>,
     contact: Option<&mut Contact<f32>>,
 ) -> Answer {
-    queries::triangle_aabb_contact(triangle, aabb, contact)
+    queries::contact(triangle, aabb, contact)
 }
 
 /// The same of two oriented boxes: of the first out of the second.
@@ -148,7 +148,7 @@ pub extern "C" fn septum_obb_obb_contact_f32(
     second: Option<&Obb<f32>>,
     contact: Option<&mut Contact<f32>>,
 ) -> Answer {
-    queries::obb_obb_contact(first, second, contact)
+    queries::contact(first, second, contact)
 }
 
 /// The same of a sphere and a triangle: of the sphere out of the triangle, with one point.
@@ -158,7 +158,7 @@ pub extern "C" fn septum_sphere_triangle_contact_f32(
     triangle: Option<&Triangle<f32>>,
     contact: Option<&mut Contact<f32>>,
 ) -> Answer {
-    queries::sphere_triangle_contact(sphere, triangle, contact)
+    queries::contact(sphere, triangle, contact)
 }
 
 /// The same of a sphere and an axis-aligned box.
@@ -168,7 +168,7 @@ pub extern "C" fn septum_sphere_aabb_contact_f32(
     aabb: Option<&Aabb<f32>>,
     contact: Option<&mut Contact<f32>>,
 ) -> Answer {
-    queries::sphere_aabb_contact(sphere, aabb, contact)
+    queries::contact(sphere, aabb, contact)
 }
 
 /// The same of a capsule and a triangle.
@@ -178,7 +178,7 @@ pub extern "C" fn septum_capsule_triangle_contact_f32(
     triangle: Option<&Triangle<f32>>,
     contact: Option<&mut Contact<f32>>,
 ) -> Answer {
-    queries::capsule_triangle_contact(capsule, triangle, contact)
+    queries::contact(capsule, triangle, contact)
 }
 
 /// The same of a capsule and an axis-aligned box.
@@ -188,7 +188,7 @@ pub extern "C" fn septum_capsule_aabb_contact_f32(
     aabb: Option<&Aabb<f32>>,
     contact: Option<&mut Contact<f32>>,
 ) -> Answer {
-    queries::capsule_aabb_contact(capsule, aabb, contact)
+    queries::contact(capsule, aabb, contact)
 }
 
 /// When a sphere that moves by `motion` first meets a triangle; writes `first` only if the answer is
@@ -205,7 +205,7 @@ pub unsafe extern "C" fn septum_sphere_cast_triangle_f32(
 ) -> Answer {
     // SAFETY: as the caller promises.
     let motion = unsafe { motion.cast::<[f32; 3]>().as_ref() };
-    queries::sphere_cast_triangle(sphere, motion, triangle, first)
+    queries::sphere_cast(sphere, motion, triangle, first)
 }
 
 /// The same past an axis-aligned box.
@@ -221,7 +221,7 @@ pub unsafe extern "C" fn septum_sphere_cast_aabb_f32(
 ) -> Answer {
     // SAFETY: as the caller promises.
     let motion = unsafe { motion.cast::<[f32; 3]>().as_ref() };
-    queries::sphere_cast_aabb(sphere, motion, aabb, first)
+    queries::sphere_cast(sphere, motion, aabb, first)
 }
 
 /// Where a ray enters a sphere and leaves it; writes `range` only if the answer is yes. The verdict is
