@@ -6,7 +6,18 @@ use std::fs;
 #[test]
 fn the_header_is_that_of_the_source() {
     let root = env!("CARGO_MANIFEST_DIR");
-    let config = cbindgen::Config::from_file(format!("{root}/cbindgen.toml")).unwrap();
+    let mut config = cbindgen::Config::from_file(format!("{root}/cbindgen.toml")).unwrap();
+    for (rust, c) in config.export.rename.clone() {
+        for number in ["I8F8", "I16F16", "f32", "f64"] {
+            let suffix = number.to_lowercase();
+            // Meshes and trees have indices too.
+            for (index, wide) in [("", ""), ("__u16", ""), ("__u32", "32")] {
+                let rust = format!("{rust}_{number}{index}");
+                config.export.rename.insert(rust, format!("{c}{wide}_{suffix}"));
+            }
+        }
+    }
+
     let numbers = ["i8f8", "i16f16", "f32", "f64"];
     let pairs = numbers.map(|number| format!("pairs_{number}"));
     let meshes = numbers.map(|number| format!("mesh_{number}"));
