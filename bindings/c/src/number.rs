@@ -19,58 +19,40 @@ pub trait Number: Copy + PartialEq {
     fn raw(scalar: Self::Scalar) -> Self;
 }
 
-impl Number for f32 {
-    type Scalar = Self;
+macro_rules! floats {
+    ($($number:ty)*) => {$(
+        impl Number for $number {
+            type Scalar = Self;
 
-    const UNBOUNDED: [Self; 2] = [Self::NEG_INFINITY, Self::INFINITY];
+            const UNBOUNDED: [Self; 2] = [Self::NEG_INFINITY, Self::INFINITY];
 
-    fn scalar(self) -> Self {
-        self
-    }
+            fn scalar(self) -> Self {
+                self
+            }
 
-    fn raw(scalar: Self) -> Self {
-        scalar
-    }
+            fn raw(scalar: Self) -> Self {
+                scalar
+            }
+        }
+    )*};
 }
+floats! { f32 f64 }
 
-impl Number for f64 {
-    type Scalar = Self;
+macro_rules! fixed_point {
+    ($($number:ident)*) => {$(
+        impl Number for $number {
+            type Scalar = types::$number;
 
-    const UNBOUNDED: [Self; 2] = [Self::NEG_INFINITY, Self::INFINITY];
+            const UNBOUNDED: [Self; 2] = [Self::MIN, Self::MAX];
 
-    fn scalar(self) -> Self {
-        self
-    }
+            fn scalar(self) -> Self::Scalar {
+                Self::Scalar::from_bits(self)
+            }
 
-    fn raw(scalar: Self) -> Self {
-        scalar
-    }
+            fn raw(scalar: Self::Scalar) -> Self {
+                scalar.to_bits()
+            }
+        }
+    )*};
 }
-
-impl Number for I8F8 {
-    type Scalar = types::I8F8;
-
-    const UNBOUNDED: [Self; 2] = [Self::MIN, Self::MAX];
-
-    fn scalar(self) -> types::I8F8 {
-        types::I8F8::from_bits(self)
-    }
-
-    fn raw(scalar: types::I8F8) -> Self {
-        scalar.to_bits()
-    }
-}
-
-impl Number for I16F16 {
-    type Scalar = types::I16F16;
-
-    const UNBOUNDED: [Self; 2] = [Self::MIN, Self::MAX];
-
-    fn scalar(self) -> types::I16F16 {
-        types::I16F16::from_bits(self)
-    }
-
-    fn raw(scalar: types::I16F16) -> Self {
-        scalar.to_bits()
-    }
-}
+fixed_point! { I8F8 I16F16 }
