@@ -169,24 +169,22 @@ pub(crate) unsafe fn opened<T: Number, I: Index>(
     Ok(unsafe { &(*core::ptr::from_ref(tree).cast::<Kept<T, I>>()).tree })
 }
 
+/// A point with finite coordinates.
+fn finite<T: Number>(p: &[T; 3]) -> Result<[T::Scalar; 3], Answer> {
+    let p = point(p);
+    if p.iter().all(|&x| septum::Scalar::is_finite(x)) { Ok(p) } else { Err(Answer::NotFinite) }
+}
+
 /// # Safety
-/// As for [`opened`]; the point leads to three numbers.
+/// As for [`opened`].
 pub(crate) unsafe fn contains<T: Number, I: Index>(
     tree: Option<&Tree<T, I>>,
-    point: *const T,
+    p: Option<&[T; 3]>,
 ) -> Answer {
-    if point.is_null() {
-        return Answer::NullPointer;
-    }
+    let Some(p) = p else { return Answer::NullPointer };
     // SAFETY: as the caller promises.
-    let (tree, p) = match unsafe { (opened(tree), *point.cast::<[T; 3]>()) } {
-        (Ok(tree), point) => (tree, point.map(T::scalar)),
-        (Err(error), _) => return error,
-    };
-    if !p.iter().all(|x| septum::Scalar::is_finite(*x)) {
-        return Answer::NotFinite;
-    }
-    tree.contains(p).into()
+    let contains = unsafe { opened(tree) }.and_then(|tree| Ok(tree.contains(finite(p)?)));
+    contains.map_or_else(|error| error, Answer::from)
 }
 
 /// What `ask` finds, written to its places.
@@ -265,14 +263,8 @@ pub(crate) unsafe fn closest_point<T: Number, I: Index>(
     closest: Option<&mut Closest<T>>,
 ) -> Answer {
     let Some(p) = p else { return Answer::NullPointer };
-    let p = point(p);
     // SAFETY: as the caller promises.
-    unsafe {
-        find(tree, triangle, closest, |tree| {
-            let is_finite = p.iter().all(|&x| septum::Scalar::is_finite(x));
-            if is_finite { Ok(tree.closest_point(p)) } else { Err(Answer::NotFinite) }
-        })
-    }
+    unsafe { find(tree, triangle, closest, |tree| Ok(tree.closest_point(finite(p)?))) }
 }
 
 /// # Safety

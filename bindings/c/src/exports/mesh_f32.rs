@@ -54,7 +54,7 @@ pub unsafe extern "C" fn septum_tree_contains_f32(
     point: *const f32,
 ) -> Answer {
     // SAFETY: as the caller promises.
-    unsafe { mesh::contains(tree, point) }
+    unsafe { mesh::contains(tree, point.cast::<[f32; 3]>().as_ref()) }
 }
 
 /// The first triangle that a ray hits, and the hit: written only if the answer is yes. Exact, as for
