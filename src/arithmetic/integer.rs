@@ -219,7 +219,9 @@ fn of_four_wide(a: i128, b: i128) -> I256 {
 /// The product of two volumes of 64-bit coordinates.
 #[inline(never)]
 fn of_six(a: I256, b: I256) -> BigInt<6> {
-    a.whole().times(&b.whole())
+    let ((is_negative, a), (is_other_negative, b)) = (a.limbs(), b.limbs());
+    let product = BigInt(a).times(&BigInt(b));
+    if is_negative == is_other_negative { product } else { -product }
 }
 
 /// Whether all coordinates lie below two to the `most`.

@@ -212,7 +212,7 @@ impl Dividend for I256 {
         signed(magnitude, is_negative != is_other_negative)
     }
     fn compare(self, den: Self, shift: u32, t: i64) -> Ordering {
-        self.whole().compare(den.whole(), shift, t)
+        self.shifted_up(shift).cmp(&den.times(t))
     }
 }
 
@@ -221,7 +221,7 @@ impl<const L: usize> Dividend for BigInt<L> {
         quotient_of_sums(&self, &den, shift)
     }
     fn compare(self, den: Self, shift: u32, t: i64) -> Ordering {
-        self.shifted_up(shift as usize).cmp(&den.times(&BigInt([t as u64])))
+        self.shifted_up(shift as usize).cmp(&den.times(&BigInt::<2>::from(i128::from(t))))
     }
 }
 

@@ -3,7 +3,6 @@
 use core::cmp::Ordering;
 use core::ops::{Add, Neg, Sub};
 
-use super::big_int::BigInt;
 use super::limbs::Limbs;
 use super::number::{Number, signed};
 use super::platform::REGISTERS_ARE_WIDE;
@@ -53,15 +52,11 @@ impl I256 {
         if (a < 0) == (b < 0) { product } else { -product }
     }
 
-    /// The number in limbs.
-    pub(crate) fn whole(self) -> BigInt<4> {
-        let (low, high) = (self.low, self.high as u128);
-        BigInt([low as u64, (low >> 64) as u64, high as u64, (high >> 64) as u64])
-    }
-
     /// Sign and magnitude, the latter in limbs, least first.
     pub(crate) fn limbs(self) -> (bool, [u64; 4]) {
-        self.whole().sign_magnitude()
+        let Self { high, low } = self.magnitude();
+        let limbs = [low as u64, (low >> 64) as u64, high as u64, (high >> 64) as u64];
+        (self.high < 0, limbs)
     }
 }
 
@@ -78,6 +73,30 @@ impl I256 {
     pub(crate) fn narrowed(self) -> Option<i128> {
         let sign = self.high >> 127;
         (self.high == sign && (self.low as i128) >> 126 == sign).then_some(self.low as i128)
+    }
+
+    /// Times two to the power `shift`, at most 64; the product must fit.
+    pub(crate) fn shifted_up(self, shift: u32) -> Self {
+        if shift == 0 {
+            return self;
+        }
+        Self {
+            high: self.high << shift | (self.low >> (128 - shift)) as i128,
+            low: self.low << shift,
+        }
+    }
+
+    /// Times `factor`; the product must fit.
+    pub(crate) fn times(self, factor: i64) -> Self {
+        let (negative, limbs) = self.limbs();
+        let (mut product, mut carry) = ([0; 4], 0);
+        for (to, limb) in product.iter_mut().zip(limbs) {
+            let wide = u128::from(limb) * u128::from(factor.unsigned_abs()) + u128::from(carry);
+            *to = wide as u64;
+            carry = (wide >> 64) as u64;
+        }
+        let magnitude = Self::from_limbs(product);
+        if negative != (factor < 0) { -magnitude } else { magnitude }
     }
 }
 

@@ -64,7 +64,7 @@ pub struct Translation<S> {
     /// The face or the edges that the direction comes from.
     pub features: Features,
     /// Whether `vector` moves the first shape out of the second. It is `false` if and only if a
-    /// coordinate lies beyond the range of the scalar.
+    /// coordinate, or its bound in [the module](super#exactness), lies beyond the range of the scalar.
     pub is_sufficient: bool,
 }
 

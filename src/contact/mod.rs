@@ -67,14 +67,18 @@
 //! A sphere is a point with a radius, a capsule a segment with one. Outside of the other shape, the
 //! direction is that between the nearest points, which is exact, and d is the radius less their
 //! distance. If the point or the segment meets the shape, d is the radius plus the least overlap. The
-//! bounds above hold for both. Of equal depths a face comes before an edge, the lower number first,
-//! and the front of a triangle, where its vertices go counterclockwise, before its back: a sphere
-//! around a point of a triangle leaves to the front. The order of the two shapes changes only signs.
+//! bounds above hold for both. Of equal depths a face that an end of the segment lies over comes before an
+//! edge, the lower number first, and the front of a triangle, where its vertices go counterclockwise, before
+//! its back: a sphere around a point of a triangle leaves to the front. If no end lies over a face, the way out
+//! is named by an edge that the segment crosses, also where it is a face's normal, on either side. The order
+//! of the two shapes changes only signs.
 //!
 //! There is one contact point, also where a capsule lies along a face. It is on the part that the
 //! direction comes from: on the other shape each coordinate is rounded once, and `on_second` −
-//! `on_first` is `depth` times the normal, within 2⁻⁵⁰ of the depth and two units. In a mesh, if
-//! `is_held`, the point is less deep than the translation.
+//! `on_first` is `depth` times the normal, within 2⁻⁵⁰ of the depth and two units. If a coordinate
+//! on the other shape lies beyond the range of the scalar, that on the sphere or the capsule is measured from the
+//! end of the range, and in floats may be NaN. In a mesh, if `is_held`, the point is less deep than the
+//! translation.
 //!
 //! # Points
 //!

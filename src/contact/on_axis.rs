@@ -65,6 +65,10 @@ fn digits(x: f64) -> u32 {
 /// longer, or zero.
 fn minor<S: Scalar>(x: [f64; 2], y: [f64; 2]) -> Option<(Ordering, Soft, u32)> {
     if S::FLOAT.is_none() {
+        // A product of two axes of such a type would not fit.
+        if S::UNIT < exp2(-62) {
+            return None;
+        }
         let whole = |x: f64| i128::from((x * (1.0 / S::UNIT)) as i64);
         let minor = whole(x[0]) * whole(y[1]) - whole(x[1]) * whole(y[0]);
         let (sign, size) = minor.sign_and_size()?;
@@ -199,7 +203,7 @@ mod tests {
         ];
         #[cfg(feature = "fixed")]
         {
-            use fixed::types::{I8F8, I16F16, I32F32};
+            use fixed::types::{I0F64, I8F8, I16F16, I32F32};
             all.extend([
                 known(12, I8F8::from_num::<f64>),
                 known(30, I16F16::from_num::<f64>),
@@ -207,6 +211,7 @@ mod tests {
                 known(30, I32F32::from_num::<f64>),
             ]);
             assert_eq!(known(30, |x| I32F32::from_num(x * 2e9)), 0);
+            assert_eq!(known(30, |x| I0F64::from_bits((x * 1e9) as i64)), 0);
         }
         assert_eq!(known(30, |x| x * 1e-320), 0);
         assert!(!REGISTERS_ARE_WIDE || all.iter().all(|&known| known > 20), "{all:?}");

@@ -35,36 +35,64 @@ pub(super) struct Slabs<N: Arithmetic> {
 }
 
 impl<N: Arithmetic> Slabs<N> {
-    /// The line from `o` along `d`, and the box around centre `p` with half-extents `q`, or from corner `p` to
-    /// corner `q`.
+    /// The line from `o` along `d`, and the box from `min` to `max`.
     #[inline(always)]
-    pub(super) fn of_box([o, d, p, q]: [&[N::Length; 3]; 4], is_by_center: bool) -> Self {
-        if is_by_center {
-            return Self::new(true, |i| {
-                let to_center = p[i] - o[i];
-                [to_center, to_center, q[i], d[i]]
-            });
+    pub(super) fn in_corners(
+        o: &[N::Length; 3],
+        d: &[N::Length; 3],
+        min: &[N::Length; 3],
+        max: &[N::Length; 3],
+    ) -> Self {
+        let zero = [N::Length::ZERO; 3];
+        let (mut near, mut far, mut m) = (zero, zero, zero);
+        for i in 0..3 {
+            let (low, high) = (min[i] - o[i], max[i] - o[i]);
+            let falls = d[i] < N::Length::ZERO;
+            near[i] = if falls { -high } else { low };
+            far[i] = if falls { -low } else { high };
+            m[i] = d[i].magnitude();
         }
-        Self::new(false, |i| [p[i] - o[i], q[i] - o[i], N::Length::ZERO, d[i]])
+        Self { near, far, m, spread: None }
     }
 
-    /// The line from the origin, and intervals from `low` to `high`, or, if they are grown, from `low` −
-    /// `grown` to `high` + `grown`. `axis` returns `low`, `high`, `grown` and the direction on an axis, each
-    /// rounded at most once.
+    /// The line from `o` along `d`, and the box around `center`.
     #[inline(always)]
-    pub(super) fn new(is_grown: bool, axis: impl Fn(usize) -> [N::Length; 4]) -> Self {
+    pub(super) fn in_center(
+        o: &[N::Length; 3],
+        d: &[N::Length; 3],
+        center: &[N::Length; 3],
+        half: &[N::Length; 3],
+    ) -> Self {
         let zero = [N::Length::ZERO; 3];
         let (mut near, mut far, mut m, mut spread) = (zero, zero, zero, zero);
         for i in 0..3 {
-            let [low, high, grown, d] = axis(i);
+            let to_center = center[i] - o[i];
+            let falls = d[i] < N::Length::ZERO;
+            let along = if falls { -to_center } else { to_center };
+            near[i] = along - half[i];
+            far[i] = along + half[i];
+            spread[i] = along.magnitude() + half[i];
+            m[i] = d[i].magnitude();
+        }
+        Self { near, far, m, spread: Some(spread) }
+    }
+
+    /// The line from the origin, and intervals from `low` − `grown` to `high` + `grown`. `axis`
+    /// returns `low`, `high`, `grown` and the direction on an axis, each rounded at most once.
+    #[inline(always)]
+    pub(super) fn of_intervals(
+        axis: impl Fn(usize) -> (N::Length, N::Length, N::Length, N::Length),
+    ) -> Self {
+        let zero = [N::Length::ZERO; 3];
+        let (mut near, mut far, mut m, mut spread) = (zero, zero, zero, zero);
+        let mut is_grown = false;
+        for i in 0..3 {
+            let (low, high, grown, d) = axis(i);
+            is_grown |= grown != N::Length::ZERO;
             let falls = d < N::Length::ZERO;
-            near[i] = if falls { -high } else { low };
-            far[i] = if falls { -low } else { high };
-            if is_grown {
-                near[i] = near[i] - grown;
-                far[i] = far[i] + grown;
-                spread[i] = greatest(low.magnitude(), high.magnitude()) + grown;
-            }
+            near[i] = if falls { -high } else { low } - grown;
+            far[i] = if falls { -low } else { high } + grown;
+            spread[i] = greatest(low.magnitude(), high.magnitude()) + grown;
             m[i] = d.magnitude();
         }
         Self { near, far, m, spread: is_grown.then_some(spread) }

@@ -78,11 +78,12 @@ const TILT: u16 = 13;
 /// `frames.g` proves at most [`ROUNDING`] roundoffs, and that the tilt as computed errs by at most
 /// [`TILT`], with room for the subtraction of one, in whatever scalar the boxes are given.
 ///
-/// The bound holds for all half-extents up to R, including zero.
+/// The bound holds for all half-extents up to R, including zero. `None` out of range, or if not all axes are
+/// known to be short.
 #[inline(always)]
-pub(super) fn in_frames<Q: Quad<Lane = f32>>(size: Q, tilt: Q) -> Option<Q> {
+pub(super) fn in_frames<Q: Quad<Lane = f32>>(size: Q, tilt: Q, are_short: bool) -> Option<Q> {
     let roundoffs = f32::from(ROUNDING + FRAME * TILT) * f32::ROUNDOFF;
     let error = size * (Q::splat(f32::from(FRAME)) * tilt + Q::splat(roundoffs));
     let [size, tilt] = [size.to_array()[0], tilt.to_array()[0]];
-    (size.in_range() & (tilt < 1.0 / 128.0)).then_some(error)
+    (size.in_range() & (tilt < 1.0 / 128.0) & are_short).then_some(error)
 }

@@ -36,10 +36,18 @@ impl<S: Scalar> Disjoint<'_, S> {
     #[inline(always)]
     fn line<N: Embeds<S>>(&self) -> Option<(Slabs<N>, Ends<N>)> {
         let Self { ray, aabb } = self;
-        let ([o, d, ends], (p, q, is_by_center)) = (ray.numbers(), aabb.numbers());
-        let [o, d, p, q, [t0, t1, _]] = N::embed(&[o, d, p, q, ends])?;
-        let line = Slabs::<N>::of_box([&o, &d, &p, &q], is_by_center);
-        Some((line, [ray.t_min().map(|_| t0), ray.t_max().map(|_| t1)]))
+        let (from, to) = (ray.t_min(), ray.t_max());
+        let (AabbForm::Center { center: p, half: q } | AabbForm::Corners { min: p, max: q }) =
+            aabb.form();
+        let ends = [from.unwrap_or(S::ZERO), to.unwrap_or(S::ZERO), S::ZERO];
+        let (o, d) = (ray.origin().to_array(), ray.direction().to_array());
+        let all = [o, d, p.to_array(), q.to_array(), ends];
+        let [o, d, p, q, [t0, t1, _]] = N::embed(&all)?;
+        let line = match aabb.form() {
+            AabbForm::Center { .. } => Slabs::<N>::in_center(&o, &d, &p, &q),
+            AabbForm::Corners { .. } => Slabs::<N>::in_corners(&o, &d, &p, &q),
+        };
+        Some((line, [from.map(|_| t0), to.map(|_| t1)]))
     }
 
     /// The slabs, and whether the ray misses the box; `None` if the numbers do not fit.

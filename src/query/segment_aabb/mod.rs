@@ -33,7 +33,11 @@ impl<S: Scalar> Predicate<S> for Disjoint<'_, S> {
         let (p, q, is_by_center) = self.aabb.numbers();
         let [a, b, p, q] = N::embed(&[a, b, p, q])?;
         let slabs = |o: &[N::Length; 3], d: &[N::Length; 3]| {
-            Slabs::<N>::of_box([o, d, &p, &q], is_by_center)
+            if is_by_center {
+                Slabs::<N>::in_center(o, d, &p, &q)
+            } else {
+                Slabs::<N>::in_corners(o, d, &p, &q)
+            }
         };
         if !is_segment_by_center {
             let d = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];

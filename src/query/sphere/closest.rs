@@ -153,7 +153,7 @@ impl<S: Scalar> Triangle<S> {
     /// The point of the triangle closest to a point, and the vertex or edge on which it lies.
     ///
     /// *Geometry*: a closed set, which may be a segment or a point. A point on several edges of a
-    /// triangle that is a segment is given to the first.
+    /// triangle that is a segment is given to the first, and a point at vertices that coincide to any of them.
     ///
     /// *Numerics*: the feature is exact. Each coordinate is one quotient of exact numbers: in fixed
     /// point the nearest number, ties to even, and in floats within 0.51 units in the last place;

@@ -60,13 +60,15 @@ pub(in crate::query) fn corners<S: Scalar, N: Embeds<S>>(
     let (d, h) = ([from_center(&a), from_center(&b)], h.each(once::<N, _>));
     let along = |h: N::Length, axis: &Vector<N>| three(|i| N::area(h, axis[i]));
     let half = [along(h[0], &u), along(h[1], &v), along(h[2], &w)];
-    let mut slack = greatest(largest_of::<N::OfAreas, 2>(&d), largest_of::<N::OfAreas, 3>(&half));
-    // Sixteen times, as `CORNER` says.
-    for _ in 0..CORNER.ilog2() {
-        slack = slack + slack;
+    let mut slack = N::Area::ZERO;
+    if !N::CERTAIN {
+        slack = greatest(largest_of::<N::OfAreas, 2>(&d), largest_of::<N::OfAreas, 3>(&half));
+        // Sixteen times, as `CORNER` says.
+        for _ in 0..CORNER.ilog2() {
+            slack = slack + slack;
+        }
     }
     let is_known = N::CERTAIN || N::OfAreas::area(slack, slack).in_range();
-    let slack = if N::CERTAIN { N::Area::ZERO } else { slack };
     let is_flat = h.contains(&N::Length::ZERO);
     let reach = Reach::new(times_one(r), ball);
     is_known.then_some((Corners { d, half, slack, is_flat }, reach))
@@ -185,5 +187,27 @@ impl<S: Scalar> Overlaps<Obb<S>> for Sphere<S> {
     #[inline]
     fn overlaps(&self, obb: &Obb<S>) -> bool {
         meet(self, obb, Ball::Closed)
+    }
+}
+
+#[cfg(all(test, feature = "fixed"))]
+mod tests {
+    use fixed::types::I0F32;
+
+    use crate::arithmetic::Each;
+    use crate::shape::{Obb, Sphere};
+
+    /// Numbers of this type are as long as areas allow, and what floats need of them is not computed.
+    #[test]
+    fn numbers_without_whole_bits_do_not_overflow() {
+        let of = |bits: [i32; 3]| bits.each(I0F32::from_bits);
+        let axes = [[-12_084, -15_580, -13_157], [48, 1 << 23, -196_608], [13_702, -7_444, -1_397]];
+        let center = of([1_024, -6_291_456, -49_152]);
+        let obb = Obb::from_skewed_axes(center, axes.each(of), of([6_291_456, 1_536, 0])).unwrap();
+        let away = of([8_192, -1_024, -(1 << 27)]);
+        let reaches =
+            |radius: i32| Sphere::new(away, I0F32::from_bits(radius)).unwrap().overlaps(&obb);
+        // The box is a few thousand last places long, at √(134,168,576² + 6,290,432²) of them.
+        assert!(!reaches(1 << 27) && !reaches(134_300_000) && reaches(134_330_000));
     }
 }

@@ -7,7 +7,7 @@ use super::latest::{Closings, Latest};
 use super::{FirstContact, Motion, Sweep};
 #[cfg(feature = "fixed")]
 use crate::arithmetic::IntNear;
-use crate::arithmetic::{Embeds, Number, three};
+use crate::arithmetic::{Embeds, Number};
 use crate::query::Axis;
 use crate::query::aabb_aabb::{Apart, GAP};
 use crate::query::line_aabb::Slabs;
@@ -37,12 +37,10 @@ impl<S: Scalar> Passing<S> {
         let Self { boxes: Apart { a, b }, way: [from, to] } = self;
         let all = [a.low, a.high, a.grown, b.low, b.high, b.grown, *from, *to];
         let [a_low, a_high, a_grown, b_low, b_high, b_grown, from, to] = N::embed(&all)?;
-        let grown = three(|i| a_grown[i] + b_grown[i]);
-        let slabs = Slabs::new(true, |i| {
-            [a_low[i] - b_high[i], a_high[i] - b_low[i], grown[i], to[i] - from[i]]
-        });
-        let is_grown = grown != [N::Length::ZERO; 3];
-        Some(Slabs { spread: slabs.spread.filter(|_| is_grown), ..slabs })
+        Some(Slabs::of_intervals(|i| {
+            let grown = a_grown[i] + b_grown[i];
+            (a_low[i] - b_high[i], a_high[i] - b_low[i], grown, to[i] - from[i])
+        }))
     }
 }
 

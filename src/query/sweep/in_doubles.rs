@@ -92,37 +92,6 @@ impl Gaps {
     }
 }
 
-/// The first contact, if `f64` has digits enough.
-#[inline(always)]
-pub(super) fn first_contact<S: Scalar>(
-    passing: &Passing<'_, S>,
-    last: Option<Last>,
-) -> Option<FirstContact<S>>
-where
-    Filtered<f64>: Embeds<S>,
-{
-    let known = match last {
-        Some(last) => passing.course::<Filtered<f64>>()?.at_last(last),
-        None => None,
-    };
-    known.or_else(|| of_all(passing))
-}
-
-/// The first contact if no axis is known to close last.
-#[inline(never)]
-fn of_all<S: Scalar>(passing: &Passing<'_, S>) -> Option<FirstContact<S>>
-where
-    Filtered<f64>: Embeds<S>,
-{
-    let gaps = passing.course::<Filtered<f64>>()?.gaps()?;
-    let Some(last) = gaps.last() else { return at_start_of(&gaps) };
-    let errors = [gaps.error[last], gaps.speed_error[last]];
-    let [low, high] = gaps.gap[last].portion(gaps.speed[last], errors).each(S::at_most);
-    let is_known = (low == high) & (certain_sign(gaps.gap[last], gaps.error[last]) > 0);
-    let is_last = is_known && gaps.others_close_before(last, low.in_double());
-    is_last.then(|| FirstContact { t: low, axis: Axis::ALL.get(last).copied() })
-}
-
 fn at_start_of<S: Scalar>(gaps: &Gaps) -> Option<FirstContact<S>> {
     gaps.are_none().then(FirstContact::default)
 }

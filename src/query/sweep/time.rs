@@ -84,17 +84,6 @@ impl<S: Scalar + InRaw> WordKernel<S> for Meets<'_, S> {
 }
 
 impl<S: Scalar> Numeric<S> for Meets<'_, S> {
-    #[inline(always)]
-    fn fast_path(&self) -> Result<FirstContact<S>, Clue>
-    where
-        Filtered<f64>: Embeds<S>,
-    {
-        if !<Filtered<f64> as Embeds<S>>::HAS_QUOTIENTS {
-            return Err(Clue::NoNumbers);
-        }
-        in_doubles::first_contact(&self.passing, self.last).ok_or(Clue::Doubt)
-    }
-
     fn refined(&self, _: Clue) -> Option<FirstContact<S>>
     where
         Filtered<f64>: Embeds<S>,

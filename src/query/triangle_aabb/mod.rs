@@ -26,7 +26,6 @@ pub(crate) use frame::range;
 pub use prepared::PreparedTriangle;
 pub(super) use relation::touches_face;
 
-use super::one_sided::are_disjoint;
 use super::{Axis, Overlaps};
 use crate::arithmetic::{
     Embeds, Float, InFloat, InRaw, Int64OfFloats, OfFour, OneType, Quad, REGISTERS_ARE_WIDE,
@@ -117,7 +116,11 @@ impl<S: Scalar> Predicate<S> for Disjoint<'_, S> {
 impl<S: Scalar + InRaw> WordKernel<S> for Disjoint<'_, S> {
     #[inline(always)]
     fn narrow<W: Word>(&self) -> Option<bool> {
-        self.in_narrow::<W, _>(are_disjoint)
+        if S::is_always_near::<W>() {
+            Some(self.in_any_words::<W>())
+        } else {
+            self.in_near_words::<W>()
+        }
     }
 }
 
@@ -222,7 +225,7 @@ impl<S: Scalar + InRaw<Raw = i32>> Overlaps<Near<Aabb<S>>> for Near<Triangle<S>>
     /// *Numerics*: exact, in 32-bit words alone. *Panics*: never.
     #[inline]
     fn overlaps(&self, aabb: &Near<Aabb<S>>) -> bool {
-        !Disjoint { triangle: self.get(), aabb: aabb.get() }.in_any_words::<i32, _>(are_disjoint)
+        !Disjoint { triangle: self.get(), aabb: aabb.get() }.in_any_words::<i32>()
     }
 }
 

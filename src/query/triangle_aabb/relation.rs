@@ -11,7 +11,6 @@ use crate::arithmetic::{
     Arithmetic, Double, Each, Embeds, InRaw, Number, REGISTERS_ARE_WIDE, Word, dot, greatest, least,
 };
 use crate::query::Axis;
-use crate::query::one_sided::relation;
 use crate::query::relation::{Nearness, Reading, Relate, Relation};
 use crate::robust::{Predicate, WordKernel, in_cut_floats};
 use crate::scalar::{FixedBackend, Scalar};
@@ -58,7 +57,10 @@ impl<S: Scalar> Disjoint<'_, S> {
 impl<S: Scalar + InRaw> WordKernel<S> for Lie<'_, S> {
     #[inline(always)]
     fn narrow<W: Word>(&self) -> Option<Relation> {
-        self.0.in_narrow::<W, _>(relation)
+        if S::is_always_near::<W>() {
+            return Some(self.0.relation_in_any_words::<W>());
+        }
+        self.0.relation_in_near_words::<W>()
     }
 }
 
@@ -135,7 +137,7 @@ impl<S: Scalar + InRaw<Raw = i32>> Relate<Near<Aabb<S>>> for Near<Triangle<S>> {
     /// *Numerics*: exact, in 32-bit words alone. *Panics*: never.
     #[inline]
     fn relation(&self, aabb: &Near<Aabb<S>>) -> Relation {
-        Disjoint { triangle: self.get(), aabb: aabb.get() }.in_any_words::<i32, _>(relation)
+        Disjoint { triangle: self.get(), aabb: aabb.get() }.relation_in_any_words::<i32>()
     }
 }
 

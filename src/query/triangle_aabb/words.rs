@@ -3,42 +3,38 @@
 
 use super::Disjoint;
 use crate::arithmetic::{Each, InRaw, Word, out_of_line_if_wide, three};
-use crate::query::one_sided::Projection;
+use crate::query::one_sided::{Projection, are_disjoint, relation};
+use crate::query::relation::Relation;
 use crate::scalar::Scalar;
 use crate::shape::{Aabb, AabbForm, Triangle, Vec3};
 
 impl<S: Scalar + InRaw> Disjoint<'_, S> {
-    /// The answer from the projections, if the words hold them.
-    #[inline(always)]
-    pub(super) fn in_narrow<W: Word, T>(
-        &self,
-        answer: impl FnOnce(&[Projection<W>; 3]) -> T,
-    ) -> Option<T> {
-        if S::is_always_near::<W>() {
-            Some(self.in_any_words(answer))
-        } else {
-            self.in_near_words(answer)
-        }
-    }
-
     /// The answer in words wide enough for shapes anywhere.
     #[inline(never)]
-    pub(super) fn in_any_words<W: Word, T>(
-        &self,
-        answer: impl FnOnce(&[Projection<W>; 3]) -> T,
-    ) -> T {
-        answer(&projections(self.triangle, self.aabb))
+    pub(super) fn in_any_words<W: Word>(&self) -> bool {
+        are_disjoint::<W>(&projections(self.triangle, self.aabb))
+    }
+
+    /// How the shapes lie to each other, likewise.
+    #[inline(never)]
+    pub(super) fn relation_in_any_words<W: Word>(&self) -> Relation {
+        relation::<W>(&projections(self.triangle, self.aabb))
     }
 
     /// The answer in words wide enough for shapes near each other; `None` if they are not.
     #[inline(never)]
-    fn in_near_words<W: Word, T>(
-        &self,
-        answer: impl FnOnce(&[Projection<W>; 3]) -> T,
-    ) -> Option<T> {
-        let (min, _) = extents(self.aabb);
+    pub(super) fn in_near_words<W: Word>(&self) -> Option<bool> {
+        let (min, _) = extents::<_, W>(self.aabb);
         let shapes = projections(self.triangle, self.aabb);
-        are_near(&min, &shapes).then(|| answer(&shapes))
+        are_near(&min, &shapes).then(|| are_disjoint(&shapes))
+    }
+
+    /// How the shapes lie to each other, likewise.
+    #[inline(never)]
+    pub(super) fn relation_in_near_words<W: Word>(&self) -> Option<Relation> {
+        let (min, _) = extents::<_, W>(self.aabb);
+        let shapes = projections(self.triangle, self.aabb);
+        are_near(&min, &shapes).then(|| relation(&shapes))
     }
 }
 
