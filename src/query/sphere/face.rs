@@ -113,7 +113,7 @@ impl<N: Arithmetic> Reach<N> {
         }
         let verdict = by_plane.or(is_outside).and(by_edges).verdict();
         let is_in_doubt = verdict.is_none() && by_edges.certain;
-        if is_in_doubt && has_no_area::<N>(&edges[0], &edges[1]) {
+        if !N::CERTAIN && is_in_doubt && has_no_area::<N>(&edges[0], &edges[1]) {
             // It is its edges.
             return (Some(true), inside_of);
         }

@@ -26,6 +26,7 @@ pub(crate) use frame::range;
 pub use prepared::PreparedTriangle;
 pub(super) use relation::touches_face;
 
+use super::relation::Relation;
 use super::{Axis, Overlaps};
 use crate::arithmetic::{
     Embeds, Float, InFloat, InRaw, Int64OfFloats, OfFour, OneType, Quad, REGISTERS_ARE_WIDE,
@@ -47,6 +48,12 @@ impl<S: Scalar> Disjoint<'_, S> {
     fn answer(&self) -> bool {
         in_cut_floats::<S, _>(|| short::disjoint(self.triangle, self.aabb))
             .unwrap_or_else(|| S::evaluate(self))
+    }
+
+    /// How the shapes lie to each other, likewise.
+    #[inline(always)]
+    fn relation_in_short_words(&self) -> Option<Relation> {
+        in_cut_floats::<S, _>(|| short::relation(self.triangle, self.aabb))
     }
 
     /// Whether `N` holds the shapes.

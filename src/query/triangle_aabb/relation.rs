@@ -6,13 +6,12 @@ use super::Disjoint;
 use super::error_bound::error_bound;
 use super::frame::{Frame, range};
 use super::kernel::{edge_axis, in_frame, normal, one_edge, one_face, plane_of_size};
-use super::short;
 use crate::arithmetic::{
     Arithmetic, Double, Each, Embeds, InRaw, Number, REGISTERS_ARE_WIDE, Word, dot, greatest, least,
 };
 use crate::query::Axis;
 use crate::query::relation::{Nearness, Reading, Relate, Relation};
-use crate::robust::{Predicate, WordKernel, in_cut_floats};
+use crate::robust::{Predicate, WordKernel};
 use crate::scalar::{FixedBackend, Scalar};
 #[cfg(feature = "fixed")]
 use crate::shape::Near;
@@ -119,7 +118,7 @@ fn all_axes<N: Arithmetic>(frame: &Frame<N>) -> Option<Relation> {
 impl<S: Scalar> Relate<Aabb<S>> for Triangle<S> {
     fn relation(&self, aabb: &Aabb<S>) -> Relation {
         let shapes = Disjoint { triangle: self, aabb };
-        if let Some(relation) = in_cut_floats::<S, _>(|| short::relation(self, aabb)) {
+        if let Some(relation) = shapes.relation_in_short_words() {
             return relation;
         }
         // Words find all three relations together.
