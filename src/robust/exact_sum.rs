@@ -2,7 +2,7 @@
 
 use core::cmp::Ordering;
 
-use crate::arithmetic::{BigInt, Each, I256, Limbed, Number, Parts};
+use crate::arithmetic::{BigInt, Each, Limbed, Number, Parts};
 
 /// A sum of products of up to four numbers without loss.
 pub trait ExactSum: Limbed + Number {
@@ -45,11 +45,7 @@ impl<const LIMBS: usize> ExactSum for Sum<LIMBS> {
                 let words = [product as u64, (product >> 64) as u64];
                 self.accumulate(words.iter().copied(), shift, negative);
             }
-            _ => {
-                let [a, b] = pairs.each(|x| x as i128);
-                let (_, words) = I256::of_two(a, b).limbs();
-                self.accumulate(words.iter().copied(), shift, negative);
-            }
+            _ => self.accumulate(product(pairs).iter().copied(), shift, negative),
         }
     }
 
@@ -60,6 +56,19 @@ impl<const LIMBS: usize> ExactSum for Sum<LIMBS> {
     fn sign(&self) -> Ordering {
         BigInt::sign(self)
     }
+}
+
+/// The product of two numbers in limbs, least first.
+fn product([a, b]: [u128; 2]) -> [u64; 4] {
+    let halves = |x: u128| [u128::from(x as u64), x >> 64];
+    let ([a, c], [b, d]) = (halves(a), halves(b));
+    let (low, high) = (a * b, c * d);
+    let [first, carry] = halves(low);
+    // Below 3·2^64.
+    let middle = carry + u128::from((a * d) as u64) + u128::from((c * b) as u64);
+    let [second, carry] = halves(middle);
+    let high = high + ((a * d) >> 64) + ((c * b) >> 64) + carry;
+    [first as u64, second as u64, high as u64, (high >> 64) as u64]
 }
 
 #[cfg(test)]

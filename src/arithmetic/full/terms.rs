@@ -3,7 +3,6 @@
 use crate::arithmetic::Each;
 use core::cmp::Ordering;
 use core::ops::{Add, Neg, Sub};
-use core::slice::from_ref;
 
 use super::super::big_int::BigInt;
 use super::super::limbs::Limbs;
@@ -154,11 +153,11 @@ impl<const UNIT: u16, const A: usize> Exact for Terms<UNIT, A> {
     }
     #[inline(always)]
     fn by_length<const R: usize>(self, other: Self) -> BigInt<R> {
-        minor([&self, &other], [&Self::ZERO, &Self::ZERO])
+        area(&self, &other)
     }
     #[inline(always)]
     fn by_area<const B: usize, const R: usize>(self, area: BigInt<B>) -> BigInt<R> {
-        dot(from_ref(&area), from_ref(&self))
+        volume(&self, &area)
     }
     #[inline(always)]
     fn minor<const R: usize>([a, b]: [Self; 2], [c, d]: [Self; 2]) -> BigInt<R> {
@@ -168,6 +167,16 @@ impl<const UNIT: u16, const A: usize> Exact for Terms<UNIT, A> {
     fn dot<const B: usize, const R: usize>(a: &[BigInt<B>; 3], b: &[Self; 3]) -> BigInt<R> {
         dot(a, b)
     }
+}
+
+#[inline(never)]
+fn area<const UNIT: u16, const A: usize, const R: usize>(
+    a: &Terms<UNIT, A>,
+    b: &Terms<UNIT, A>,
+) -> BigInt<R> {
+    let mut sum = BigInt([0; R]);
+    a.add_product(b, &mut sum, false);
+    sum
 }
 
 /// a·b − c·d, in one sum, so that numbers of a kilobyte are not copied.
@@ -183,9 +192,19 @@ fn minor<const UNIT: u16, const A: usize, const R: usize>(
 }
 
 #[inline(never)]
+fn volume<const UNIT: u16, const A: usize, const B: usize, const R: usize>(
+    length: &Terms<UNIT, A>,
+    area: &BigInt<B>,
+) -> BigInt<R> {
+    let mut sum = BigInt([0; R]);
+    length.add_multiple(area, &mut sum);
+    sum
+}
+
+#[inline(never)]
 fn dot<const UNIT: u16, const A: usize, const B: usize, const R: usize>(
-    areas: &[BigInt<B>],
-    lengths: &[Terms<UNIT, A>],
+    areas: &[BigInt<B>; 3],
+    lengths: &[Terms<UNIT, A>; 3],
 ) -> BigInt<R> {
     let mut sum = BigInt([0; R]);
     for (length, area) in lengths.iter().zip(areas) {
