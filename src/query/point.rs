@@ -11,7 +11,7 @@ use crate::arithmetic::{
     Each, Embeds, Number, REGISTERS_ARE_WIDE, Word, cross3, dot3, greatest, largest,
 };
 use crate::query::triangle_obb::{Disjoint, error_bound, operands, way};
-use crate::robust::{Predicate, Uncertain, in_cut_floats};
+use crate::robust::{Predicate, Uncertain, in_cut_floats, in_exact_numbers};
 use crate::scalar::{FixedBackend, Scalar};
 use crate::shape::{Aabb, AabbForm, Obb, Triangle, Vec3};
 
@@ -161,6 +161,15 @@ impl<S: Scalar> Predicate<S> for Outside<'_, S> {
     {
         let is_long = !REGISTERS_ARE_WIDE || S::Raw::BITS == 64;
         if is_long { Disjoint::new(&self.triangle(), self.obb).in_words(false) } else { None }
+    }
+
+    /// On 32-bit cores as for a triangle too, for the stack that whole numbers take.
+    fn exact(&self) -> bool {
+        if REGISTERS_ARE_WIDE {
+            in_exact_numbers(self)
+        } else {
+            Disjoint::new(&self.triangle(), self.obb).exact()
+        }
     }
 }
 

@@ -30,7 +30,8 @@ fn lies_outside<N: Arithmetic>(
     }
 }
 
-/// Whether a triangle or a parallelogram with these edges certainly has no area.
+/// Whether a triangle or a parallelogram with these edges certainly has no area. Edges that are products may have
+/// lost numbers to underflow: it is then thinner than any error.
 #[cold]
 #[inline(never)]
 fn has_no_area<N: Arithmetic>(e: &Vector<N>, f: &Vector<N>) -> bool {
