@@ -13,6 +13,7 @@ use super::number::{Number, greatest};
     ),
     path = "quad/vector.rs"
 )]
+// Without vectors quad/machine.rs: four numbers.
 mod machine;
 
 pub(crate) use machine::root_of_machine;

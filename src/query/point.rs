@@ -163,12 +163,12 @@ impl<S: Scalar> Predicate<S> for Outside<'_, S> {
         if is_long { Disjoint::new(&self.triangle(), self.obb).in_words(false) } else { None }
     }
 
-    /// On 32-bit cores as for a triangle too, for the stack that whole numbers take.
+    /// On 32-bit cores by the sums of a triangle, for the stack that whole numbers take.
     fn exact(&self) -> bool {
         if REGISTERS_ARE_WIDE {
             in_exact_numbers(self)
         } else {
-            Disjoint::new(&self.triangle(), self.obb).exact()
+            Disjoint::new(&self.triangle(), self.obb).is_beyond_a_face()
         }
     }
 }
@@ -186,7 +186,7 @@ impl<S: Scalar> Obb<S> {
     ///
     /// *Range*: all finite floats and all fixed-point values. The fast stage serves the same range
     /// as that of a triangle and an oriented box. Outside, and for floats within rounding of a
-    /// face, exact sums decide, a hundred times slower.
+    /// face, exact numbers decide, a hundred times slower.
     ///
     /// *Panics*: never. *Cost*: about 36 multiplications. Fixed point of 64 bits, and all scalars on 32-bit
     /// cores, begin as with a [triangle](Triangle#impl-Overlaps<Obb<S>>-for-Triangle<S>).

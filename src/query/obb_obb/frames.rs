@@ -125,7 +125,7 @@ fn transposed([a, b, c]: [[f32; 3]; 3], d: [f32; 3]) -> [Row; 3] {
     three(|i| Row::new([a[i], b[i], c[i], d[i]]))
 }
 
-/// The rows are x, y and z of all.
+/// The rows are x, y and z of all three vectors.
 #[inline(always)]
 fn tilt(rows: [Row; 3]) -> Tilt {
     let squares = rows[0] * rows[0] + rows[1] * rows[1] + rows[2] * rows[2];

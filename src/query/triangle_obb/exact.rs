@@ -9,7 +9,7 @@ use crate::arithmetic::{Each, InRaw, Number, WholeVolume, WholeWord, cross_words
 use crate::arithmetic::{Parts, pick, three, turn};
 use crate::query::relation::{Reading, Relation, of_gaps};
 use crate::query::triangle_aabb::words::minus;
-use crate::robust::{ExactSum, Vector, add_determinant, difference, single};
+use crate::robust::{ExactSum, Uncertain, Vector, add_determinant, difference, single};
 use crate::scalar::Scalar;
 
 /// The representation of factors, and the sign of a sum of their products.
@@ -199,6 +199,13 @@ impl<N: Factors> ExactParallelepiped<N> {
             }
         }
         so_far
+    }
+
+    /// Whether a face of the box separates: all that can of a triangle that is a point.
+    pub(super) fn is_beyond_a_face(&self) -> bool {
+        let [u0, u1, u2] = &self.u;
+        let volume = N::sign(&[Term(self.one, u0, u1, u2)]);
+        (0..3).any(|i| self.face::<Uncertain>(i, volume) == Relation::Disjoint)
     }
 
     /// Whether all vertices lie beyond h_i·|det u|, on each side.

@@ -106,6 +106,14 @@ pub(super) const fn has_second_look<N: Arithmetic>() -> bool {
     !N::CERTAIN && !SMALL_CODE
 }
 
+impl<S: Scalar> Disjoint<'_, S> {
+    /// Whether a face of the box separates, by exact sums.
+    pub(super) fn is_beyond_a_face(&self) -> bool {
+        ExactParallelepiped::<InSums<S>>::new(self.triangle.points(), self.obb.numbers())
+            .is_beyond_a_face()
+    }
+}
+
 impl<S: Scalar, R: Reading> Disjoint<'_, S, R> {
     #[inline(always)]
     fn answer(&self) -> R::Answer {
