@@ -125,7 +125,8 @@ fn lies_beyond<M: Arithmetic>(corners: &Corners<M>, reach: &Reach<M>) -> Option<
                 three(|i| -way[i])
             })
         });
-        Between { ends, along: [e, corners.edge(i)] }.is_beyond(reach, corners.slack)
+        let between = Between::<M> { ends, along: [e, corners.edge(i)] };
+        between.as_face(|vectors, edges| corners.excludes_face(reach, vectors, edges))
     };
     all_beyond((0..14).map(|k| match k {
         0 | 1 => corners.lies_beyond(k, reach),

@@ -120,8 +120,8 @@ fn a_prepared_ray_is_hardly_ever_in_doubt() {
     assert_eq!(found, [[0; 4]; 2]);
 }
 
-/// Boxes, and a triangle, a segment and a ray along axes of space, against a box that is tilted by
-/// the residue of a quarter turn, by less and by more: how many of 7,200 pairs come to exact sums.
+/// Boxes, and a triangle, a segment, a ray and a capsule along axes of space, against a box that is tilted by
+/// the residue of a quarter turn, by less and by more: how many of 8,400 pairs come to exact numbers.
 #[test]
 fn nearly_parallel_axes_are_hardly_ever_in_doubt() {
     fn count<S: Sample>(near: fn(f64) -> S) -> u32 {
@@ -147,13 +147,15 @@ fn nearly_parallel_axes_are_hardly_ever_in_doubt() {
                 let edges = [[0.0, tilt, 0.0], [1.0, 0.0, tilt], [tilt, 1.0, 0.0]];
                 let [a, b, c] = edges.each(|p| p.each(near));
                 let flat = Triangle::new(a, b, c).unwrap();
-                let questions: [&dyn Fn() -> bool; 6] = [
+                let capsule = Capsule::new(corners[0], corners[2], near(0.5)).unwrap();
+                let questions: [&dyn Fn() -> bool; 7] = [
                     &|| flat.overlaps(&aabb),
                     &|| tilted.overlaps(&turned),
                     &|| tilted.overlaps(&aabb),
                     &|| triangle.overlaps(&tilted),
                     &|| segment.overlaps(&tilted),
                     &|| ray.overlaps(&tilted),
+                    &|| capsule.overlaps(&tilted),
                 ];
                 for ask in questions {
                     let [.., exact] = escalations(|| _ = ask());

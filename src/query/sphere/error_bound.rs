@@ -11,7 +11,8 @@
 //! | (a × b)·(c × d) | R⁴ | 192 | 3 terms of 2·2·14 + 4, 12 of the sums |
 //! | p·(q + r) + q·s, all of them a·b | R⁴ | 345 | 5 errors of 20 times 3; 9 of q + r, 36 of the rest |
 //!
-//! `error_bound.g`, `side.g` and `side_by_dots.g` prove these, second orders and underflow included.
+//! `error_bound.g`, `side.g` and `side_by_dots.g` prove these, second orders and underflow included, and `corners.g`
+//! the numbers of vectors from the corners of an oriented box.
 //! A square of a number x with an error δ is off by δ·(2·|x| + δ), and the sum of three squares by 3
 //! roundings of the sum more. Products of numbers that are not negative are off by a roundoff for
 //! each operation.
@@ -27,6 +28,14 @@ const DOT: u16 = 24;
 const VOLUME: u16 = 120;
 const SIDE: u16 = 240;
 const SIDE_BY_DOTS: u16 = 420;
+const OF_LENGTHS: [u16; 4] = [MINOR, DOT, VOLUME, SIDE];
+
+// Of vectors from the corners of an oriented box, which are shorter and err by less.
+const CORNER_MINOR: u16 = 2;
+const CORNER_DOT: u16 = 3;
+const CORNER_VOLUME: u16 = 2;
+const CORNER_SIDE: u16 = 2;
+const OF_CORNERS: [u16; 4] = [CORNER_MINOR, CORNER_DOT, CORNER_VOLUME, CORNER_SIDE];
 
 /// Roundoffs of a sum of three squares of differences, compared with the square of a radius that
 /// may be a sum.
@@ -64,7 +73,7 @@ impl<N: Arithmetic> Errors<N> {
         }
         let (area, most) = (N::area(size, size), greatest(size, radius));
         let is_known = area.in_range() & N::area(most, most).in_range();
-        is_known.then(|| Self::of_area(area, size))
+        is_known.then(|| Self::of_area(area, size, OF_LENGTHS))
     }
 
     /// The errors for lengths up to `size`, without a radius; `None` out of range.
@@ -74,7 +83,7 @@ impl<N: Arithmetic> Errors<N> {
             return Some(Self::NONE);
         }
         let area = N::area(size, size);
-        area.in_range().then(|| Self::of_area(area, size))
+        area.in_range().then(|| Self::of_area(area, size, OF_LENGTHS))
     }
 
     /// The errors of products of a length up to `size` and a component of a direction up to `d`,
@@ -86,7 +95,7 @@ impl<N: Arithmetic> Errors<N> {
         }
         let area = N::area(size, d);
         let is_known = N::area(size, size).in_range() & N::area(d, d).in_range() & area.in_range();
-        is_known.then(|| Self::of_area(area, size))
+        is_known.then(|| Self::of_area(area, size, OF_LENGTHS))
     }
 
     /// The error of a cross product of a length up to `size` and a direction up to `d`, times one of
@@ -106,13 +115,25 @@ impl<N: Arithmetic> Errors<N> {
         N::quartic(area, area).error(SIDE_BY_DOTS)
     }
 
+    /// The errors of vectors from the corners of an oriented box, which err by up to a roundoff of `size` and are
+    /// not much longer than a quarter of it; `None` out of range.
     #[inline(always)]
-    fn of_area(area: N::Area, size: N::Length) -> Self {
+    pub(super) fn of_corners(size: N::Length, radius: N::Length) -> Option<Self> {
+        if N::CERTAIN {
+            return Some(Self::NONE);
+        }
+        let (area, most) = (N::area(size, size), greatest(size, radius));
+        let is_known = area.in_range() & N::area(most, most).in_range();
+        is_known.then(|| Self::of_area(area, size, OF_CORNERS))
+    }
+
+    #[inline(always)]
+    fn of_area(area: N::Area, size: N::Length, [minor, dot, volume, side]: [u16; 4]) -> Self {
         Self {
-            minor: area.error(MINOR),
-            dot: area.error(DOT),
-            volume: N::volume(area, size).error(VOLUME),
-            side: N::quartic(area, area).error(SIDE),
+            minor: area.error(minor),
+            dot: area.error(dot),
+            volume: N::volume(area, size).error(volume),
+            side: N::quartic(area, area).error(side),
         }
     }
 }

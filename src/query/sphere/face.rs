@@ -6,7 +6,7 @@ use super::kernel::{Ball, Reach, along, around, largest_of, minors, squared, vol
 use super::{Beyond, meet};
 #[cfg(feature = "fixed")]
 use crate::arithmetic::Int16;
-use crate::arithmetic::{Arithmetic, Embeds, Number, greatest, part};
+use crate::arithmetic::{Arithmetic, Embeds, Number, greatest, largest, part};
 use crate::query::Overlaps;
 use crate::query::orientation::Vector;
 use crate::query::triangle_obb::lie_along_one_axis;
@@ -30,13 +30,8 @@ fn lies_outside<N: Arithmetic>(
     }
 }
 
-/// Whether a triangle or a parallelogram with these edges certainly has no area. Edges that are products may have
-/// lost numbers to underflow: it is then thinner than any error.
-#[cold]
-#[inline(never)]
-fn has_no_area<N: Arithmetic>(e: &Vector<N>, f: &Vector<N>) -> bool {
-    lie_along_one_axis(e, f)
-}
+/// Roundoffs of the square of the longer edge, up to which the normal of a thin face is long.
+const THIN: u16 = 60_000;
 
 impl<N: Arithmetic> Reach<N> {
     /// Whether a triangle or a parallelogram lies beyond, with vectors from its vertices to the
@@ -114,11 +109,46 @@ impl<N: Arithmetic> Reach<N> {
         }
         let verdict = by_plane.or(is_outside).and(by_edges).verdict();
         let is_in_doubt = verdict.is_none() && by_edges.certain;
-        if !N::CERTAIN && is_in_doubt && has_no_area::<N>(&edges[0], &edges[1]) {
-            // It is its edges.
+        if !N::CERTAIN && is_in_doubt && self.excludes_thin_face(n, vectors, edges, slack, errors) {
             return (Some(true), inside_of);
         }
         (verdict, inside_of)
+    }
+
+    /// Whether a face with little or no area certainly lies beyond, if its edges do: as of segments that are nearly
+    /// parallel.
+    ///
+    /// No point of a convex face is farther from its outline than half of its width, the length of the normal by
+    /// that of an edge. Its three components are at most [`THIN`] roundoffs of the square of the greatest
+    /// component of an edge. So half of the width is at most √3/2 of as many roundoffs of that component, and
+    /// the same number of roundoffs of it and of the radius leaves room for rounding, as `face.g` proves. The
+    /// error of the normal is a part of the bound, so the edge is longer than all else by 1/256, and in range.
+    #[cold]
+    #[inline(never)]
+    fn excludes_thin_face<const K: usize>(
+        &self,
+        n: &[N::Area; 3],
+        vectors: &[Vector<N>; K],
+        edges: &[Vector<N>; K],
+        slack: N::Length,
+        errors: &Errors<N>,
+    ) -> bool {
+        // Edges that are products may have lost numbers to underflow: it is then thinner than any error.
+        if lie_along_one_axis(&edges[0], &edges[1]) {
+            return true;
+        }
+        let edge = greatest(largest(&edges[0]), largest(&edges[1]));
+        let most = N::area(edge, edge).error(THIN);
+        if !n.iter().all(|x| x.magnitude() + errors.minor <= most) {
+            return false;
+        }
+        let wider = Self::new(self.radius + (edge + self.radius).error(THIN), self.ball);
+        wider.square.in_range()
+            && (0..K).all(|k| {
+                let (d, e) = (&vectors[k], &edges[k]);
+                let c = minors::<N>(e, d);
+                wider.excludes_edge([d, &vectors[(k + 1) % K]], e, &c, slack, errors).certain
+            })
     }
 
     /// Whether a plane with normal `n` lies beyond, for each of these n·d.

@@ -36,6 +36,7 @@ pub(in crate::query) struct Corners<M: Arithmetic> {
     half: [Vector<M>; 3],
     /// Vectors from corners err by up to a roundoff of this.
     pub(in crate::query) slack: M::Length,
+    pub(in crate::query) errors: Errors<M>,
     /// Whether a half-extent is zero.
     is_flat: bool,
 }
@@ -68,10 +69,10 @@ pub(in crate::query) fn corners<S: Scalar, N: Embeds<S>>(
             slack = slack + slack;
         }
     }
-    let is_known = N::CERTAIN || N::OfAreas::area(slack, slack).in_range();
     let is_flat = h.contains(&N::Length::ZERO);
     let reach = Reach::new(times_one(r), ball);
-    is_known.then_some((Corners { d, half, slack, is_flat }, reach))
+    let errors = Errors::of_corners(slack, reach.radius)?;
+    Some((Corners { d, half, slack, errors, is_flat }, reach))
 }
 
 impl<M: Arithmetic> Corners<M> {
@@ -103,13 +104,26 @@ impl<M: Arithmetic> Corners<M> {
         })
     }
 
+    /// Whether a parallelogram lies beyond the reach, with vectors from its vertices to the point, and its
+    /// edges; `None` in doubt.
+    #[inline(always)]
+    pub(in crate::query) fn excludes_face(
+        &self,
+        reach: &Reach<M>,
+        vectors: &[Vector<M>; 4],
+        edges: &[Vector<M>; 4],
+    ) -> Option<bool> {
+        if M::CERTAIN {
+            return reach.excludes_face(vectors, edges, self.slack);
+        }
+        reach.excludes_near_face(vectors, edges, self.slack, &self.errors)
+    }
+
     /// Whether the box lies beyond the reach of a point; `None` in doubt.
     #[inline(never)]
     pub(in crate::query) fn lies_beyond(&self, point: usize, reach: &Reach<M>) -> Option<bool> {
         let edges = three(|k| self.edge(k));
-        let size =
-            greatest(greatest(largest_of::<M, 3>(&edges), largest_of::<M, 2>(&self.d)), self.slack);
-        let error = Errors::<M>::new(size, reach.radius)?.volume;
+        let error = self.errors.volume;
         let (mut is_outside, mut are_beyond) = (Uncertain::NONE, Uncertain::known(true));
         for i in 0..3 {
             let (i, j, k) = turn(i);
@@ -133,7 +147,7 @@ impl<M: Arithmetic> Corners<M> {
                 }
                 let back = |e: &Vector<M>| e.each(|x| -x);
                 let around = [*e, *f, back(e), back(f)];
-                let found = Uncertain::of(reach.excludes_face(&vectors, &around, self.slack));
+                let found = Uncertain::of(self.excludes_face(reach, &vectors, &around));
                 if !found.possible {
                     return Some(false);
                 }
