@@ -72,8 +72,8 @@ macro_rules! embeds {
             fn one() -> Option<$to> {
                 Some(1.0)
             }
-            fn times_one(d: $to) -> Option<$to> {
-                Some(d)
+            fn times_one(d: $to, _: $to) -> $to {
+                d
             }
             #[inline(always)]
             fn quotient_of_lengths(num: $to, den: $to) -> $from {

@@ -78,17 +78,17 @@ macro_rules! embeds {
             // A unit above 2^30 would leave no room for the products.
             ($shift <= 30).then(|| 1 << $shift)
         }
-        fn times_one(d: $length) -> Option<<$system as Arithmetic>::Area> {
+        fn times_one(d: $length, _: $length) -> <$system as Arithmetic>::Area {
             // See the table in `integer`.
-            Some(<$system as Arithmetic>::Area::from(2 * d) << $shift)
+            <$system as Arithmetic>::Area::from(2 * d) << $shift
         }
     };
     (@one window, $system:ty, $length:ty, $shift:expr) => {
         fn one() -> Option<<$system as Arithmetic>::Product> {
             Some((1_i128 << $shift).into())
         }
-        fn times_one(d: $length) -> Option<<$system as Arithmetic>::Area> {
-            Some(Self::area(2 * d, 1 << $shift))
+        fn times_one(d: $length, _: $length) -> <$system as Arithmetic>::Area {
+            Self::area(2 * d, 1 << $shift)
         }
     };
     (@compare integers, $system:ty, $num:ident, $den:ident, $shift:ident, $t:ident) => {
@@ -179,8 +179,8 @@ impl<S: InRaw<Raw = i32>> Embeds<S> for Filtered<f64> {
     fn one() -> Option<f64> {
         Some(unit::<S>())
     }
-    fn times_one(d: f64) -> Option<f64> {
-        Some(d * unit::<S>())
+    fn times_one(d: f64, _: f64) -> f64 {
+        d * unit::<S>()
     }
     #[inline(always)]
     fn quotient_of_lengths(_: f64, _: f64) -> S {

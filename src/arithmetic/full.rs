@@ -55,10 +55,6 @@ impl<
         Some(Terms::<UNIT, A>::of(1.0).added_up())
     }
 
-    fn times_one(d: Self::Length) -> Option<BigInt<B>> {
-        Some(Self::area(d + d, Terms::of(1.0)))
-    }
-
     const DIVIDES: bool = true;
 
     fn quotient_of_lengths(num: Self::Length, den: Self::Length) -> F {

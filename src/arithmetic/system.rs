@@ -234,11 +234,10 @@ pub trait Embeds<S>: Arithmetic {
         None
     }
 
-    /// A length times one, as an area in the frame, where one has the scalar's
-    /// unit.
-    fn times_one(d: Self::Length) -> Option<Self::Area> {
-        let _ = d;
-        None
+    /// A length times one, as an area in the frame; `unit` is the scalar's `UNIT_LENGTH`, embedded with it.
+    #[inline(always)]
+    fn times_one(d: Self::Length, unit: Self::Length) -> Self::Area {
+        Self::area(d + d, unit)
     }
 
     /// Whether quotients of lengths are as accurate as the scalar promises.

@@ -18,8 +18,7 @@ use crate::published::watertight::ShearedRay;
 use crate::query::{Crossing, FirstContact, Hit, Motion, SphereContact};
 use crate::scalar::Scalar;
 use crate::shape::{
-    Aabb, AabbForm, Capsule, Obb, Plane, PlaneForm, Polygon, Ray, Segment, SegmentForm, Sphere,
-    Triangle, Vec3,
+    Aabb, AabbForm, Capsule, Obb, Plane, Polygon, Ray, Segment, SegmentForm, Sphere, Triangle, Vec3,
 };
 
 /// One number.
@@ -67,12 +66,10 @@ formats! {
             obb.center(), u, v, w, obb.half_extents()
         )
     };
-    Plane: |plane, to| match plane.form() {
-        PlaneForm::Point(point) => {
-            write!(to, "Plane {{ point: {}, normal: {} }}", point, plane.normal())
-        }
-        PlaneForm::Offset(d) => {
-            write!(to, "Plane {{ normal: {}, d: {} }}", plane.normal(), Number(*d))
+    Plane: |plane, to| match plane.point() {
+        Some(point) => write!(to, "Plane {{ point: {}, normal: {} }}", point, plane.normal()),
+        None => {
+            write!(to, "Plane {{ normal: {}, d: {} }}", plane.normal(), Number(plane.numbers().1))
         }
     };
     Segment: |segment, to| match segment.form() {

@@ -6,8 +6,8 @@ use serde::ser::{Serialize, Serializer};
 
 use crate::scalar::Scalar;
 use crate::shape::{
-    Aabb, AabbForm, Capsule, Obb, Plane, PlaneForm, Ray, Segment, SegmentForm, ShapeError, Sphere,
-    Triangle, Vec3,
+    Aabb, AabbForm, Capsule, Obb, Plane, Ray, Segment, SegmentForm, ShapeError, Sphere, Triangle,
+    Vec3,
 };
 
 /// The numbers of a shape, unchecked.
@@ -148,9 +148,9 @@ impl<S: Scalar> Form for Position<S> {
 
     fn of(plane: &Plane<S>) -> Self {
         let normal = plane.normal();
-        match *plane.form() {
-            PlaneForm::Point(point) => Self::PointNormal { point, normal },
-            PlaneForm::Offset(d) => Self::Equation { normal, d },
+        match plane.point() {
+            Some(point) => Self::PointNormal { point, normal },
+            None => Self::Equation { normal, d: plane.numbers().1 },
         }
     }
 

@@ -115,7 +115,9 @@ impl<S: Scalar> Build<S> {
 
     /// The share of the work that is done, from 0 to 1.
     pub(super) fn progress(&self) -> f32 {
-        if self.is_done() { 1.0 } else { self.done as f32 / self.work.max(1) as f32 }
+        // A share next to one would be rounded to it.
+        let share = self.done as f32 / self.work.max(1) as f32;
+        if self.is_done() { 1.0 } else { share.min(1.0 - f32::EPSILON) }
     }
 
     /// Looks at `budget` triangles, or a few more; at one at least. Returns whether the tree is finished.

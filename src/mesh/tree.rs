@@ -196,7 +196,7 @@ impl<'a, 's, S: Scalar, I: Index> TreeBuilder<'a, 's, S, I> {
     }
 
     /// Looks at about as many triangles as `triangles` says, at least one, and returns whether the
-    /// tree is finished. All steps together look at each triangle 40 to 80 times.
+    /// tree is finished. All steps together look at each triangle 40 to 100 times.
     ///
     /// *Panics*: never.
     pub fn advance(&mut self, triangles: usize) -> bool {

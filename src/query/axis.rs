@@ -40,11 +40,12 @@ impl Axis {
     /// angles.
     ///
     /// *Numerics*: rounded in the scalar's own arithmetic. Use it for display or for a push, but
-    /// not for a decision: [`Triangle::is_separated_by`] decides exactly. A face is exact. An edge
-    /// consists of differences, each rounded once; in fixed point they wrap if they overflow. A
-    /// normal also has products, which in fixed point lose their last bits. So has a face of an
-    /// oriented box, and its side is exact. The vector is zero if all of its bits are lost, and for
-    /// the axes of a degenerate triangle. Indices count modulo 3.
+    /// not for a decision: [`Triangle::is_separated_by`] decides exactly. A face is exact, with the
+    /// greatest number in a type that does not hold one. An edge consists of differences, each
+    /// rounded once; in fixed point they wrap if they overflow. A normal also has products, which in
+    /// fixed point lose their last bits. So has a face of an oriented box, and its side is exact. The
+    /// vector is zero if all of its bits are lost, and for the axes of a degenerate triangle. Indices
+    /// count modulo 3.
     ///
     /// *Panics*: never. *Cost*: at most 6 multiplications, and for an oriented box an exact sum.
     ///
@@ -107,7 +108,7 @@ fn unit<S: Scalar>(i: u8) -> Vec3<S> {
 }
 
 fn along_unit<S: Scalar>(i: u8, way: [Vec3<S>; 2]) -> Ordering {
-    let [from, to] = way.map(|p| *pick(&p.to_array(), i.into()));
+    let [from, to] = way.map(|p| *pick(&p.to_array(), usize::from(i % 3)));
     compare(to, from)
 }
 

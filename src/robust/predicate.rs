@@ -172,7 +172,7 @@ pub(crate) trait Backend: RoundedOps + Spanned + FirstFloat + Offset + ShortFloa
     /// The quotient of two sums, to the nearest; the divisor is not zero.
     fn quotient(num: &Self::SeptumSum, den: &Self::SeptumSum) -> Self;
 
-    /// The number rounded down; the greatest number of the type if it lies beyond.
+    /// The number rounded down. If it lies beyond the type, the greatest number of fixed point, or infinity.
     fn at_most(x: Soft) -> Self;
 
     /// The answer to `p`, from the cheapest number system that can decide it.

@@ -30,7 +30,6 @@ pub use error::ShapeError;
 pub use near::Near;
 pub use obb::Obb;
 pub use overlaps::Overlaps;
-pub(crate) use plane::Form as PlaneForm;
 pub use plane::Plane;
 pub use polygon::Polygon;
 pub use ray::Ray;

@@ -32,6 +32,15 @@ pub(crate) enum Form<S> {
 }
 
 impl<S: Scalar> Plane<S> {
+    /// The point, the d, and the unit of length that a product with d needs; zero where the form has none.
+    #[inline(always)]
+    pub(crate) fn numbers(&self) -> ([S; 3], S, S) {
+        match self.form {
+            Form::Point(p) => (p.to_array(), S::ZERO, S::ZERO),
+            Form::Offset(d) => ([S::ZERO; 3], d, S::UNIT_LENGTH),
+        }
+    }
+
     /// A plane through `point`, at right angles to `normal`.
     ///
     /// # Errors
@@ -91,11 +100,6 @@ impl<S: Copy> Plane<S> {
             Form::Offset(d) => Some(d),
             Form::Point(_) => None,
         }
-    }
-
-    #[inline(always)]
-    pub(crate) const fn form(&self) -> &Form<S> {
-        &self.form
     }
 }
 

@@ -86,11 +86,18 @@ impl<S: Scalar> Ray<S> {
         let range = [end(self.t_min), end(self.t_max), S::ZERO];
         [self.origin.to_array(), self.direction.to_array(), range]
     }
+
+    /// The same, with the unit of length as the third number if a product with an end needs it.
+    pub(crate) fn numbers_and_unit(&self) -> [[S; 3]; 3] {
+        let [origin, direction, [from, to, zero]] = self.numbers();
+        let unit = if from == zero && to == zero { zero } else { S::UNIT_LENGTH };
+        [origin, direction, [from, to, unit]]
+    }
 }
 
 overlaps_methods!(
     Ray,
-    "an [`Aabb`](crate::Aabb), an [`Obb`](crate::Obb) or a [`Sphere`](crate::Sphere)"
+    "an [`Aabb`](crate::Aabb), an [`Obb`](crate::Obb), a [`Sphere`](crate::Sphere) or a [`Capsule`](crate::Capsule)"
 );
 
 impl<S: Copy> Ray<S> {

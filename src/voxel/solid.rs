@@ -118,7 +118,7 @@ impl<'a, S: Scalar, W: Word> Solid<'a, S, W> {
     }
 
     /// Turns the crossings into the inside, once all triangles are added. Add no triangle after
-    /// that.
+    /// that, and do not call it again.
     pub fn finish(&mut self) {
         let [_, ny, nz] = self.bits.grid().resolution();
         for z in 0..nz {

@@ -124,14 +124,16 @@ impl<S: Scalar> Leaves<S> for &[Aabb<S>] {
     }
 }
 
-/// Whether a box extends beyond the range of the scalar. A box that ends there may count as one that
+/// Whether a box extends beyond the range of the scalar. A box of floats that ends there may count as one that
 /// does.
 fn is_clamped<S: Scalar>(aabb: &Aabb<S>) -> bool {
-    let Some((_, half)) = aabb.center_half_extents() else { return false };
-    let (Some([min, max]), half) = (aabb.corners(), half.to_array()) else { return true };
-    // At the end of fixed point a number reaches no further.
+    let Some((center, half)) = aabb.center_half_extents() else { return false };
+    let (center, half) = (center.to_array(), half.to_array());
+    let Some([min, max]) = aabb.corners() else { return true };
+    // At the end of fixed point a number reaches no further, and a clamped one does not reach back.
     (0..3).any(|k| {
-        let ([low, _], [_, high]) = (min[k].reach(half[k]), max[k].reach(half[k]));
-        half[k] > S::ZERO && (low == min[k] || high == max[k])
+        let ([low, back_up], [back_down, high]) = (min[k].reach(half[k]), max[k].reach(half[k]));
+        let is_past = |end: S, next: S, back: S| next == end && back != center[k];
+        half[k] > S::ZERO && (is_past(min[k], low, back_up) || is_past(max[k], high, back_down))
     })
 }

@@ -9,7 +9,8 @@ use crate::scalar::Scalar;
 use crate::shape::{Aabb, Overlaps};
 
 /// A shape that [`BoxTree::overlapping`] accepts: an [`Aabb`], an [`Obb`](crate::Obb), a
-/// [`Triangle`](crate::Triangle) or a [`Segment`](crate::Segment).
+/// [`Triangle`](crate::Triangle), a [`Segment`](crate::Segment), a [`Sphere`](crate::Sphere) or a
+/// [`Capsule`](crate::Capsule).
 ///
 /// The trait is sealed.
 pub trait BoxProbe<S: Scalar>: Overlaps<Aabb<S>> + Bounded<S> {}
@@ -22,7 +23,7 @@ impl<S: Scalar, I: Index> BoxTree<'_, S, I> {
     /// *Contact*: touching is overlap. *Numerics*: exact, as [`Overlaps::overlaps`]. *Panics*: never.
     ///
     /// *Cost*: as for [`mesh::Tree::overlapping`](crate::mesh::Tree::overlapping), and a sort of what
-    /// was found.
+    /// was found. If a box of the tree extends beyond the range of the scalar, a test of each box.
     ///
     /// # Errors
     /// [`MeshError::Length`] with their number if there are more than `found` can hold.

@@ -156,7 +156,7 @@ impl Cut {
             self.to = self.from;
             return FEW;
         }
-        let (pivot, mut split) = (self.pivot(), self.split);
+        let (pivot, mut split) = (self.pivot(entries.len()), self.split);
         let part = entries.get_mut(..end).unwrap_or_default();
         for i in self.at..end.min(part.len()) {
             let entry = part[i];
@@ -172,7 +172,7 @@ impl Cut {
             if self.place < split {
                 (self.to, self.high) = (split, pivot);
             } else {
-                (self.from, self.low) = (split, pivot + 1);
+                (self.from, self.low) = (split, self.after(pivot, entries.len()));
             }
             (self.at, self.split) = (self.from, self.from);
         }
@@ -191,13 +191,28 @@ impl Cut {
         };
         let [low, high] = self.ends[axis];
         self.axis = Some(axis);
-        (self.low, self.high) = (u64::from(low) << 32, u64::from(high) << 32 | u64::from(u32::MAX));
+        (self.low, self.high) = (u64::from(low) << 32, u64::from(high) << 32 | INDEX);
         self.at = self.from;
     }
 
-    fn pivot(&self) -> u64 {
-        self.low + (self.high - self.low) / 2
+    /// A key half way. Its index is one of the list's, for entries with one middle are cut by their index: without
+    /// that the first dozen passes would find all of them in the lower half.
+    fn pivot(&self, entries: usize) -> u64 {
+        let half_way = self.low + (self.high - self.low) / 2;
+        half_way - (half_way & INDEX).saturating_sub(last_index(entries))
     }
+
+    /// The least key above another.
+    fn after(&self, key: u64, entries: usize) -> u64 {
+        if key & INDEX < last_index(entries) { key + 1 } else { (key | INDEX) + 1 }
+    }
+}
+
+/// The bits of a key that are an index.
+const INDEX: u64 = u32::MAX as u64;
+
+fn last_index(entries: usize) -> u64 {
+    (entries as u64).saturating_sub(1)
 }
 
 /// The number of entries that are sorted one by one.

@@ -76,6 +76,25 @@ fn check<S: Scalar>(points: &[[i16; 3]], of: fn(i16) -> S, step: usize) {
     assert!(Tree::new(Mesh::new(&vertices, &in_order).unwrap(), tree.nodes()).is_ok());
 }
 
+/// A far vertex makes the grid so coarse that all other triangles have one middle.
+#[test]
+fn triangles_in_one_place_of_the_grid_take_no_more_looks() {
+    let count = 4_000_u16;
+    let at = |i: u16| Vec3::new(f32::from(i) / 4_000.0, 0.0, 0.0);
+    let vertices: Vec<_> = (0..count).map(at).chain([Vec3::new(1e9, 1e9, 1e9)]).collect();
+    let faces: Vec<_> = (0..count).map(|i| [i, i, if i == 0 { count } else { i }]).collect();
+    let mesh = Mesh::new(&vertices, &faces).unwrap();
+    let (mut nodes, mut order) = (vec![Node::EMPTY; Node::count_for(4_000)], vec![0; 4_000]);
+    let mut scratch = vec![Scratch::EMPTY; 4_000];
+    let mut builder = TreeBuilder::new(mesh, &mut nodes, &mut order, &mut scratch).unwrap();
+    let mut looks = 0;
+    while !builder.advance(4_000) {
+        assert!(builder.progress() < 1.0);
+        looks += 1;
+    }
+    assert!((40..=100).contains(&looks), "{looks}");
+}
+
 /// Five triangles, each a point on a grid of 3 by 3: all 59,049 meshes.
 #[test]
 fn small_trees_are_sorted() {

@@ -21,7 +21,7 @@ impl<Frac: LeEqU32 + Send + Sync + 'static, I: Index> Tree<'_, FixedI32<Frac>, I
     /// *Cost*: three comparisons a vertex; call it once.
     ///
     /// # Errors
-    /// [`ShapeError::NotNear`] if a vertex is 2¹⁷ units in the last place or more from zero on some
+    /// [`ShapeError::NotNear`] if a vertex is below −2¹⁷ units in the last place, or 2¹⁷ or more, on some
     /// axis.
     pub fn near(self) -> Result<Near<Self>, ShapeError> {
         let is_near = self.mesh.vertices().iter().all(Near::is_in_range);

@@ -11,7 +11,7 @@
 
 use super::all_beyond;
 use crate::arithmetic::{
-    Arithmetic, Embeds, Number, cross, dot, greatest, largest, once, three, two,
+    Arithmetic, Each, Embeds, Number, cross, dot, greatest, largest, once, three, two,
 };
 use crate::query::Overlaps;
 use crate::query::orientation::{Vector, from};
@@ -59,12 +59,11 @@ impl<N: Arithmetic> Pair<N> {
     where
         N: Embeds<S>,
     {
-        let Self { m, e, way: Way { d, .. }, n, .. } = self;
+        let Self { m, e, way: Way { d, unit, .. }, n, .. } = self;
         let t = once::<N, _>(t);
         let td = three(|i| N::area(t, d[i]));
-        let of =
-            |m: &Vector<N>| Some([N::times_one(m[0])?, N::times_one(m[1])?, N::times_one(m[2])?]);
-        let (m, r) = ([of(&m[0])?, of(&m[1])?], N::times_one(reach.radius)?);
+        let times_one = |x: N::Length| N::times_one(x, *unit);
+        let (m, r) = (m.each(|m| m.each(times_one)), times_one(reach.radius));
         let size = greatest(greatest(largest(&m[0]), largest(&m[1])), largest(&td));
         let size = size + size;
         if !N::CERTAIN && !greatest(size, r).in_range() {
@@ -128,7 +127,7 @@ impl<S: Scalar> Predicate<S> for Beyond<'_, Capsule<S>, Ray<S>> {
 
     #[inline]
     fn filter<N: Embeds<S>>(&self) -> Option<bool> {
-        let ([a, b], [o, d, range]) = (self.ends(), self.shape.numbers());
+        let ([a, b], [o, d, range]) = (self.ends(), self.shape.numbers_and_unit());
         let all = [a, b, o, d, range, [self.round.radius(); 3]];
         let [a, b, o, d, range, [r, ..]] = N::embed(&all)?;
         let (m, e) = ([from::<N>(&a, &o), from::<N>(&b, &o)], from::<N>(&b, &a));
@@ -173,9 +172,7 @@ impl<S: Scalar> Overlaps<Ray<S>> for Capsule<S> {
     /// have any length except zero, the radius may be zero, the ends of the capsule may coincide.
     ///
     /// *Contact*, *Numerics* and *Range*: as for a
-    /// [triangle](Capsule#impl-Overlaps<Triangle<S>>-for-Capsule<S>). In floats a distance within
-    /// rounding of the radius takes integers of full width if an end of the range is neither zero
-    /// nor unbounded.
+    /// [triangle](Capsule#impl-Overlaps<Triangle<S>>-for-Capsule<S>).
     ///
     /// *Panics*: never. *Cost*: 26 multiplications if the planes through both lines lie apart;
     /// otherwise two [spheres](crate::Sphere#impl-Overlaps<Ray<S>>-for-Sphere<S>) at the ends, and

@@ -160,45 +160,46 @@ impl<N: Arithmetic> Slabs<N> {
     fn compared<S>(
         &self,
         i: usize,
-        t: N::Length,
+        [t, unit]: [N::Length; 2],
         face: N::Length,
         is_lower: bool,
-    ) -> Option<Uncertain>
+    ) -> Uncertain
     where
         N: Embeds<S>,
     {
         // In the frame integers are doubled, as `times_one` is.
         let (m, zero) = (once::<N, _>(*pick(&self.m, i)), N::Length::ZERO);
-        let (at, face_area) = (N::area(t, m), N::times_one(face)?);
+        let (at, face_area) = (N::area(t, m), N::times_one(face, unit));
         let (own, is_zero) = match &self.spread {
             Some(spread) => (*pick(spread, i), false),
             None => (face.magnitude(), (m == zero) & (face == zero)),
         };
-        let size = at.magnitude() + N::times_one(own)?;
+        let size = at.magnitude() + N::times_one(own, unit);
         let (a, b) = if is_lower { (at, face_area) } else { (face_area, at) };
-        Some(above::<N>(a, b, is_zero, size))
+        above::<N>(a, b, is_zero, size)
     }
 
-    /// Whether on some axis all of the box lies at t < `from` or at t > `to`.
+    /// Whether on some axis all of the box lies at t < `from` or at t > `to`, with the unit of length.
     #[inline(always)]
     pub(super) fn lies_outside<S>(
         &self,
         from: Option<N::Length>,
         to: Option<N::Length>,
-    ) -> Option<Uncertain>
+        unit: N::Length,
+    ) -> Uncertain
     where
         N: Embeds<S>,
     {
         let mut so_far = Uncertain::NONE;
         for i in 0..3 {
             if let Some(from) = from {
-                so_far = so_far.or(self.compared(i, from, self.far[i], true)?);
+                so_far = so_far.or(self.compared(i, [from, unit], self.far[i], true));
             }
             if let Some(to) = to {
-                so_far = so_far.or(self.compared(i, to, self.near[i], false)?);
+                so_far = so_far.or(self.compared(i, [to, unit], self.near[i], false));
             }
         }
-        Some(so_far)
+        so_far
     }
 
     /// How near the motion from the origin by `d` comes to the box, or, for two boxes, how near
@@ -278,10 +279,10 @@ fn later<N: Arithmetic>(
     above::<N>(a, b, is_zero, size)
 }
 
-/// A line through slabs from a least t, if it has one.
+/// A line through slabs from a least t, if it has one, with the unit of length.
 pub(super) struct Entering<'a, N: Arithmetic, S>(
     pub(super) &'a Slabs<N>,
-    pub(super) Option<N::Length>,
+    pub(super) Option<[N::Length; 2]>,
     pub(super) PhantomData<S>,
 );
 
@@ -304,10 +305,10 @@ impl<S, N: Embeds<S>> Entries for Entering<'_, N, S> {
         let Self(line, Some(from), _) = *self else { return Some(false) };
         let near = *pick(&line.near, i);
         // If the range begins at zero, a sign suffices.
-        let is_past = if from == N::Length::ZERO {
+        let is_past = if from[0] == N::Length::ZERO {
             line.side(-near)
         } else {
-            line.compared(i, from, near, true)?
+            line.compared(i, from, near, true)
         };
         is_past.verdict()
     }

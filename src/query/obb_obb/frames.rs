@@ -49,7 +49,9 @@ pub(super) fn relation<S: Scalar + InFloat<F>, F: Float>(
     // `f32` asks again in `f64`. `may_overlap` must not decide more here than on other machines.
     let is_first = size_of::<F>() == size_of::<S::SeptumFirst>();
     let is_fine = <S as InFloat<F>>::PLACE * F::from(1 << 11) <= F::from(1);
-    let applies = Row::IS_VECTOR && !SMALL_CODE && is_first && is_fine && holds_one::<S, F>();
+    // The type itself too, which counts in units of one.
+    let is_held = holds_one::<S, F>() && S::plain_one().in_double() == 1.0;
+    let applies = Row::IS_VECTOR && !SMALL_CODE && is_first && is_fine && is_held;
     if !applies || asked == Asked::MayOverlap {
         return None;
     }
@@ -320,6 +322,39 @@ mod tests {
             let beyond = check(I32F32::saturating_from_num::<f64>, 500_000.0);
             assert_eq!(beyond[1..], [0, 0]);
         }
+    }
+
+    /// Their numbers next to one are none: I0F16 ends at a half.
+    #[cfg(feature = "fixed")]
+    #[test]
+    fn types_without_one_have_no_frames() {
+        use fixed::FixedI16;
+        use fixed::types::extra::{LeEqU16, U15, U16};
+        fn meet<Frac: LeEqU16>(
+            [center, other]: [[i16; 3]; 2],
+            axes: [[[i16; 3]; 3]; 2],
+            half: [[i16; 3]; 2],
+        ) -> bool
+        where
+            FixedI16<Frac>: Scalar,
+        {
+            let of = |x: [i16; 3]| x.each(FixedI16::<Frac>::from_bits);
+            let boxed = |center: [i16; 3], k: usize| {
+                Obb::from_skewed_axes(of(center), axes[k].each(of), of(half[k])).unwrap()
+            };
+            boxed(center, 0).overlaps(&boxed(other, 1))
+        }
+        // Half as long as their numbers say, and apart by 5,000 last places.
+        let upright = [[32_767, 0, 0], [0, 32_767, 0], [0, 0, 32_767]];
+        let places = [[0; 3], [25_000, 0, 0]];
+        assert!(!meet::<U16>(places, [upright; 2], [[20_000; 3]; 2]));
+        // Apart by a quarter of the last place.
+        let axes = [
+            [[14_798, 19_026, 22_197], [-28_539, 14_798, 6_342], [-6_342, -22_197, 23_254]],
+            [[9_362, 14_043, 28_086], [14_043, -28_086, 9_362], [28_086, 9_362, -14_043]],
+        ];
+        let half = [[25_577, 28_965, 28_965], [18_117, 17_364, 17_737]];
+        assert!(!meet::<U15>([[0; 3], [28_965; 3]], axes, half));
     }
 
     /// Products of long axes are infinite or NaN, while the first box has a frame: this kernel leaves them to

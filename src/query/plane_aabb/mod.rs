@@ -8,7 +8,7 @@ use super::Overlaps;
 use crate::arithmetic::{Arithmetic, Embeds, Number, greatest, largest, of_two, once};
 use crate::robust::{Predicate, Profile, Uncertain};
 use crate::scalar::Scalar;
-use crate::shape::{Aabb, Plane, PlaneForm};
+use crate::shape::{Aabb, Plane};
 
 /// The side of a plane on which a shape lies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -37,12 +37,10 @@ impl<S: Scalar> Predicate<S> for Beyond<'_, S> {
     #[inline]
     fn filter<N: Embeds<S>>(&self) -> Option<bool> {
         let n = self.plane.normal().to_array();
-        let (point, offset) = match self.plane.form() {
-            PlaneForm::Point(p) => (p.to_array(), S::ZERO),
-            PlaneForm::Offset(d) => ([S::ZERO; 3], *d),
-        };
+        let (point, offset, unit) = self.plane.numbers();
         let (p, q, is_by_center) = self.aabb.numbers();
-        let [point, p, q, n, [d, ..]] = N::embed(&[point, p, q, n, [offset; 3]])?;
+        let all = [point, p, q, n, [offset, unit, S::ZERO]];
+        let [point, p, q, n, [d, unit, _]] = N::embed(&all)?;
 
         // The plane's point and the box's half-extents, in the frame of the box.
         let (mut v, mut h) = ([N::Length::ZERO; 3], [N::Length::ZERO; 3]);
@@ -56,10 +54,7 @@ impl<S: Scalar> Predicate<S> for Beyond<'_, S> {
         }
 
         // The distances, along n, from the plane to the centre and from the centre to a corner.
-        let d_area = match self.plane.form() {
-            PlaneForm::Point(_) => N::Area::ZERO,
-            PlaneForm::Offset(_) => N::times_one(d)?,
-        };
+        let d_area = N::times_one(d, unit);
         let from_center = N::area(n[0], v[0]) + N::area(n[1], v[1]) + N::area(n[2], v[2]) - d_area;
         let radius = N::area(n[0].magnitude(), h[0])
             + N::area(n[1].magnitude(), h[1])

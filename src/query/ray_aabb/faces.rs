@@ -18,9 +18,10 @@ impl<S: Scalar> Predicate<S> for Faces<'_, S> {
     const PROFILE: Profile = Profile::AREAS;
 
     fn filter<N: Embeds<S>>(&self) -> Option<[Option<usize>; 2]> {
-        let (line, [from, to]) = self.0.line::<N>()?;
+        let (line, ends, unit) = self.0.line::<N>()?;
+        let [from, to] = ends.each(|t| t.map(|t| [t, unit]));
         let enter = Entering(&line, from, PhantomData::<S>).last_entered()?;
-        let (back, from) = (line.reversed(), to.map(|t| -t));
+        let (back, from) = (line.reversed(), to.map(|[t, unit]| [-t, unit]));
         Some([enter, Entering(&back, from, PhantomData::<S>).last_entered()?])
     }
 }

@@ -25,6 +25,9 @@ use crate::shape::{Aabb, AabbForm, Ray};
 /// The ends of a ray's range.
 type Ends<N> = [Option<<N as Arithmetic>::Length>; 2];
 
+/// The slabs, the ends of the ray's range, and the unit of length.
+type Line<N> = (Slabs<N>, Ends<N>, <N as Arithmetic>::Length);
+
 /// Does the ray miss the box?
 struct Disjoint<'a, S> {
     ray: &'a Ray<S>,
@@ -32,28 +35,26 @@ struct Disjoint<'a, S> {
 }
 
 impl<S: Scalar> Disjoint<'_, S> {
-    /// The slabs, and the ends of the ray's range; `None` if the numbers do not fit.
+    /// `None` if the numbers do not fit.
     #[inline(always)]
-    fn line<N: Embeds<S>>(&self) -> Option<(Slabs<N>, Ends<N>)> {
+    fn line<N: Embeds<S>>(&self) -> Option<Line<N>> {
         let Self { ray, aabb } = self;
         let (from, to) = (ray.t_min(), ray.t_max());
         let (AabbForm::Center { center: p, half: q } | AabbForm::Corners { min: p, max: q }) =
             aabb.form();
-        let ends = [from.unwrap_or(S::ZERO), to.unwrap_or(S::ZERO), S::ZERO];
-        let (o, d) = (ray.origin().to_array(), ray.direction().to_array());
-        let all = [o, d, p.to_array(), q.to_array(), ends];
-        let [o, d, p, q, [t0, t1, _]] = N::embed(&all)?;
+        let [o, d, ends] = ray.numbers_and_unit();
+        let [o, d, p, q, [t0, t1, unit]] = N::embed(&[o, d, p.to_array(), q.to_array(), ends])?;
         let line = match aabb.form() {
             AabbForm::Center { .. } => Slabs::<N>::in_center(&o, &d, &p, &q),
             AabbForm::Corners { .. } => Slabs::<N>::in_corners(&o, &d, &p, &q),
         };
-        Some((line, [from.map(|_| t0), to.map(|_| t1)]))
+        Some((line, [from.map(|_| t0), to.map(|_| t1)], unit))
     }
 
     /// The slabs, and whether the ray misses the box; `None` if the numbers do not fit.
     #[inline(always)]
     fn slabs<N: Embeds<S>>(&self) -> Option<(Slabs<N>, Option<bool>)> {
-        let (line, [from, to]) = self.line::<N>()?;
+        let (line, [from, to], unit) = self.line::<N>()?;
         // If the range begins at zero, as for most rays, a sign suffices.
         let from_zero = self.ray.t_min() == Some(S::ZERO);
         let mut faces = if from_zero { line.lies_before() } else { Uncertain::NONE };
@@ -62,7 +63,7 @@ impl<S: Scalar> Disjoint<'_, S> {
             return Some((line, Some(true)));
         }
         if from.is_some() || to.is_some() {
-            faces = faces.or(line.lies_outside::<S>(from, to)?);
+            faces = faces.or(line.lies_outside::<S>(from, to, unit));
         }
         let verdict = faces.or(line.line_misses()).verdict();
         Some((line, verdict))

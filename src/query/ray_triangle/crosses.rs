@@ -111,9 +111,14 @@ impl<S: Scalar> Crosses<'_, S> {
                 let is_clear = errors.is_none_or(|errors| t.magnitude() > errors.t);
                 return is_clear.then(|| sign(t));
             }
-            let errors = errors.map_or([N::Volume::ZERO; 2], |errors| {
-                [errors.t + t.magnitude().error(1), errors.side + det.error(1)]
-            });
+            // What is certain of its sign is rounded all the same.
+            let [of_t, of_det] = if N::CERTAIN {
+                [N::Volume::ZERO; 2]
+            } else {
+                [t.magnitude().error(1), det.error(1)]
+            };
+            let errors =
+                errors.map_or([of_t, of_det], |errors| [errors.t + of_t, errors.side + of_det]);
             N::compare_quotient(t, det, errors, end)
         };
         self.admits(is_front, zeros, compare_with, |k| setting.perturbed_in::<N>(k))

@@ -55,8 +55,7 @@ pub(in crate::query) fn corners<S: Scalar, N: Embeds<S>>(
     let [center, u, v, w, half] = obb.numbers();
     let numbers = [radius, S::UNIT_LENGTH, S::ZERO];
     let [a, b, c, u, v, w, h, [r, unit, _]] = N::embed(&[a, b, center, u, v, w, half, numbers])?;
-    // Only floats have no other one, and their unit of length is one.
-    let times_one = |x: N::Length| N::times_one(x).unwrap_or_else(|| N::area(x + x, unit));
+    let times_one = |x: N::Length| N::times_one(x, unit);
     let from_center = |p: &Vector<N>| from::<N>(p, &c).each(times_one);
     let (d, h) = ([from_center(&a), from_center(&b)], h.each(once::<N, _>));
     let along = |h: N::Length, axis: &Vector<N>| three(|i| N::area(h, axis[i]));

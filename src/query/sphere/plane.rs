@@ -10,7 +10,7 @@ use crate::query::Overlaps;
 use crate::query::orientation::Vector;
 use crate::robust::{Numeric, Predicate, Profile};
 use crate::scalar::Scalar;
-use crate::shape::{Plane, PlaneForm, Sphere, Vec3};
+use crate::shape::{Plane, Sphere, Vec3};
 
 /// Roundoffs in n·x + d, of the greatest |nᵢ| times the greatest |xᵢ|, plus |d|. To first order 14:
 /// for each of 3 terms 1 of the difference and 1 of the product, and 8 of the sums. `plane.g`
@@ -33,17 +33,11 @@ impl<S: Scalar> Predicate<S> for OneSide<'_, S> {
     #[inline]
     fn filter<N: Embeds<S>>(&self) -> Option<bool> {
         let n = self.plane.normal().to_array();
-        let (point, offset) = match self.plane.form() {
-            PlaneForm::Point(p) => (p.to_array(), S::ZERO),
-            PlaneForm::Offset(d) => ([S::ZERO; 3], *d),
-        };
+        let (point, offset, unit) = self.plane.numbers();
         let [a, b] = self.ends;
-        let all = [n, point, a, b, [self.radius, offset, S::ZERO]];
-        let [n, point, a, b, [r, d, _]] = N::embed(&all)?;
-        let d = match self.plane.form() {
-            PlaneForm::Point(_) => N::Area::ZERO,
-            PlaneForm::Offset(_) => N::times_one(d)?,
-        };
+        let all = [n, point, a, b, [self.radius, offset, unit]];
+        let [n, point, a, b, [r, d, unit]] = N::embed(&all)?;
+        let d = N::times_one(d, unit);
         // Lengths as integers double them, for `times_one`.
         let (r, nn) = (once::<N, _>(r), product::<N>(&n, &n));
         let near = N::quartic(nn, Reach::<N>::new(r, self.ball).square);

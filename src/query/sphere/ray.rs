@@ -13,7 +13,7 @@ use super::error_bound::{Errors, PRODUCT};
 use super::kernel::{Ball, Reach, along, product, squared};
 use super::{Beyond, meet};
 use crate::arithmetic::{
-    Arithmetic, Embeds, Enclosed, Number, cross, dot, greatest, largest, once, sign_of, three,
+    Arithmetic, Each, Embeds, Enclosed, Number, cross, dot, greatest, largest, once, sign_of, three,
 };
 use crate::query::Overlaps;
 use crate::query::orientation::{Vector, from};
@@ -40,17 +40,18 @@ struct End {
 pub(in crate::query) struct Way<N: Arithmetic> {
     pub(in crate::query) d: Vector<N>,
     pub(in crate::query) ends: [Option<N::Length>; 2],
+    pub(in crate::query) unit: N::Length,
 }
 
 impl<N: Arithmetic> Way<N> {
-    /// From those numbers.
+    /// From those numbers, with the unit of length.
     #[inline(always)]
     pub(in crate::query) fn new<S: Scalar>(
         ray: &Ray<S>,
         d: Vector<N>,
-        [t, u, _]: Vector<N>,
+        [t, u, unit]: Vector<N>,
     ) -> Self {
-        Self { d, ends: [ray.t_min().map(|_| t), ray.t_max().map(|_| u)] }
+        Self { d, ends: [ray.t_min().map(|_| t), ray.t_max().map(|_| u)], unit }
     }
 
     /// Whether the ray lies beyond the reach of a point at `m` from its origin; `None` in doubt.
@@ -82,7 +83,7 @@ impl<N: Arithmetic> Way<N> {
                         lies_beyond: reach.excludes(m, N::Length::ZERO),
                     }
                 }
-                Some(t) => at_end::<S, N>(m, d, t, reach, k == 0)?,
+                Some(t) => at_end::<S, N>(m, d, [t, self.unit], reach, k == 0)?,
             };
             by_ends = by_ends.or(is_past.and(lies_beyond));
             at_ends = at_ends.and(lies_beyond);
@@ -98,7 +99,7 @@ impl<S: Scalar> Predicate<S> for Beyond<'_, Sphere<S>, Ray<S>> {
 
     #[inline]
     fn filter<N: Embeds<S>>(&self) -> Option<bool> {
-        let [o, d, range] = self.shape.numbers();
+        let [o, d, range] = self.shape.numbers_and_unit();
         let [c, [r, ..], o, d, range] = N::embed(&[self.center(), self.radius(), o, d, range])?;
         let way = Way::<N>::new(self.shape, d, range);
         way.lies_beyond(&from::<N>(&c, &o), &Reach::<N>::new(r, self.ball))
@@ -110,14 +111,14 @@ impl<S: Scalar> Predicate<S> for Beyond<'_, Sphere<S>, Ray<S>> {
 fn at_end<S, N: Embeds<S>>(
     m: &Vector<N>,
     d: &Vector<N>,
-    t: N::Length,
+    [t, unit]: [N::Length; 2],
     reach: &Reach<N>,
     is_start: bool,
 ) -> Option<End> {
     let t = once::<N, _>(t);
-    let m = [N::times_one(m[0])?, N::times_one(m[1])?, N::times_one(m[2])?];
+    let m = m.each(|x| N::times_one(x, unit));
     let td = three(|i| N::area(t, d[i]));
-    let (to, r) = (three(|i| m[i] - td[i]), N::times_one(reach.radius)?);
+    let (to, r) = (three(|i| m[i] - td[i]), N::times_one(reach.radius, unit));
     let size = greatest(largest(&m), largest(&td));
     let size = size + size;
     let error = size.error(END);
@@ -141,8 +142,6 @@ impl<S: Scalar> Overlaps<Ray<S>> for Sphere<S> {
     ///
     /// *Contact*, *Numerics* and *Range*: as for a
     /// [triangle](Sphere#impl-Overlaps<Triangle<S>>-for-Sphere<S>), in products of four numbers.
-    /// In floats a distance within rounding of the radius takes integers of full width if an end of
-    /// the range is neither zero nor unbounded.
     ///
     /// *Panics*: never. *Cost*: 14 multiplications if the line passes by, 20 for t ≥ 0, and 13 for
     /// each end of another range.

@@ -80,7 +80,7 @@ impl<Frac: LeEqU32> Near<Triangle<FixedI32<Frac>>> {
     /// The triangle with a motion, for sweeps in 32-bit words alone: see [`Moving`].
     ///
     /// # Errors
-    /// [`ShapeError::NotNear`] if a vertex is 2¹⁷ units in the last place or more from zero on some
+    /// [`ShapeError::NotNear`] if a vertex is below −2¹⁷ units in the last place, or 2¹⁷ or more, on some
     /// axis at the end of the motion.
     pub fn moving(
         self,
@@ -95,7 +95,7 @@ impl<Frac: LeEqU32> Near<Aabb<FixedI32<Frac>>> {
     /// The box with a motion, for sweeps in 32-bit words alone: see [`Moving`].
     ///
     /// # Errors
-    /// [`ShapeError::NotNear`] if a corner is 2¹⁷ units in the last place or more from zero on some
+    /// [`ShapeError::NotNear`] if a corner is below −2¹⁷ units in the last place, or 2¹⁷ or more, on some
     /// axis at the end of the motion.
     pub fn moving(
         self,

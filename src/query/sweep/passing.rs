@@ -156,7 +156,7 @@ impl<S: Scalar> Passing<'_, S> {
     }
 
     /// Whether the shapes have a point in common at the start. A body that rests on a surface is in doubt
-    /// on any way along it, and without the motion that takes much less to decide.
+    /// on any way along it or into it, and without the motion that takes much less to decide.
     #[inline(never)]
     fn touches_at_start(&self) -> bool {
         self.triangle.overlaps(self.aabb)
@@ -181,8 +181,10 @@ impl<S: Scalar> Passing<'_, S> {
         match instant {
             Some(Instant::Misses) => None,
             Some(Instant::AtStart) => Some(FirstContact::default()),
+            Some(Instant::Meets(None) | Instant::Unknown) if self.touches_at_start() => {
+                Some(FirstContact::default())
+            }
             Some(Instant::Meets(last)) => Some(S::evaluate_numeric(&Meets { passing: self, last })),
-            Some(Instant::Unknown) if self.touches_at_start() => Some(FirstContact::default()),
             Some(Instant::Unknown) | None => {
                 let misses = Misses(self);
                 let is_miss = if S::IN_QUADS { S::without_quads(&misses) } else { misses.answer() };

@@ -81,12 +81,12 @@ impl<N: Arithmetic> Frame<N> {
         greatest(greatest(x, y), z)
     }
 
-    /// The bound for a triangle that moves, if no face separates all the way.
+    /// The bound for a triangle that moves, if no face separates all the way. No gap is then longer than the
+    /// motion. An infinite one has a span of NaN, which the greatest may miss.
     #[inline(always)]
     pub(in crate::query) fn size_along(&self, d: &[N::Length; 3]) -> N::Length {
-        let [x, y, z] = self.spans;
-        let along = |span: N::Length, d: N::Length| span + d.magnitude();
-        greatest(greatest(along(x, d[0]), along(y, d[1])), along(z, d[2]))
+        let along = |i: usize| greatest(self.spans[i] + d[i].magnitude(), self.gaps[i]);
+        greatest(greatest(along(0), along(1)), along(2))
     }
 
     /// The bound with or without a gap.

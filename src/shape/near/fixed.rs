@@ -42,7 +42,7 @@ impl<Frac: LeEqU32> Triangle<FixedI32<Frac>> {
     /// The triangle, for queries in 32-bit words alone: see [`near`](crate::near).
     ///
     /// # Errors
-    /// [`ShapeError::NotNear`] if a vertex is 2¹⁷ units in the last place or more from zero on some
+    /// [`ShapeError::NotNear`] if a vertex is below −2¹⁷ units in the last place, or 2¹⁷ or more, on some
     /// axis.
     pub const fn near(self) -> Result<Near<Self>, ShapeError> {
         let [a, b, c] = &self.vertices;
@@ -56,7 +56,7 @@ impl<Frac: LeEqU32> Ray<FixedI32<Frac>> {
     /// Its range of t is not restricted.
     ///
     /// # Errors
-    /// [`ShapeError::NotNear`] if the origin is 2¹⁷ units in the last place or more from zero on
+    /// [`ShapeError::NotNear`] if the origin is below −2¹⁷ units in the last place, or 2¹⁷ or more, on
     /// some axis, or the direction 2¹⁹.
     pub const fn near(self) -> Result<Near<Self>, ShapeError> {
         Near::checked(self, all_fit(&self.origin, POSITION) && all_fit(&self.direction, LENGTH))
@@ -67,7 +67,7 @@ impl<Frac: LeEqU32> Segment<FixedI32<Frac>> {
     /// The segment, for queries in one number system: see [`near`](crate::near).
     ///
     /// # Errors
-    /// [`ShapeError::NotNear`] if an end is 2¹⁷ units in the last place or more from zero on some
+    /// [`ShapeError::NotNear`] if an end is below −2¹⁷ units in the last place, or 2¹⁷ or more, on some
     /// axis.
     pub const fn near(self) -> Result<Near<Self>, ShapeError> {
         let is_near = match &self.form {
@@ -84,7 +84,7 @@ impl<Frac: LeEqU32> Aabb<FixedI32<Frac>> {
     /// The box, for queries in 32-bit words alone: see [`near`](crate::near).
     ///
     /// # Errors
-    /// [`ShapeError::NotNear`] if a corner is 2¹⁷ units in the last place or more from zero on some
+    /// [`ShapeError::NotNear`] if a corner is below −2¹⁷ units in the last place, or 2¹⁷ or more, on some
     /// axis.
     pub const fn near(self) -> Result<Near<Self>, ShapeError> {
         let is_near = match &self.form {
@@ -101,7 +101,7 @@ impl<Frac: LeEqU32> Sphere<FixedI32<Frac>> {
     /// The sphere, for queries in one number system: see [`near`](crate::near).
     ///
     /// # Errors
-    /// [`ShapeError::NotNear`] if the centre is 2¹⁷ units in the last place or more from zero on
+    /// [`ShapeError::NotNear`] if the centre is below −2¹⁷ units in the last place, or 2¹⁷ or more, on
     /// some axis, or the radius is 2¹⁸ units or more.
     pub const fn near(self) -> Result<Near<Self>, ShapeError> {
         Near::checked(self, all_fit(&self.center, POSITION) && fits(self.radius.to_bits(), RADIUS))
@@ -112,7 +112,7 @@ impl<Frac: LeEqU32> Capsule<FixedI32<Frac>> {
     /// The capsule, for queries in one number system: see [`near`](crate::near).
     ///
     /// # Errors
-    /// [`ShapeError::NotNear`] if an end is 2¹⁷ units in the last place or more from zero on some
+    /// [`ShapeError::NotNear`] if an end is below −2¹⁷ units in the last place, or 2¹⁷ or more, on some
     /// axis, or the radius is 2¹⁸ units or more.
     pub const fn near(self) -> Result<Near<Self>, ShapeError> {
         let are_near = all_fit(&self.a, POSITION) && all_fit(&self.b, POSITION);
@@ -124,7 +124,7 @@ impl<Frac: LeEqU32> Obb<FixedI32<Frac>> {
     /// The box, for queries in 32-bit words alone: see [`near`](crate::near).
     ///
     /// # Errors
-    /// [`ShapeError::NotNear`] if the centre is 2¹⁷ units in the last place or more from zero on
+    /// [`ShapeError::NotNear`] if the centre is below −2¹⁷ units in the last place, or 2¹⁷ or more, on
     /// some axis, or an axis or a half-extent 2¹⁹. In a type of more than 18 fraction bits a unit
     /// vector is longer than that.
     pub const fn near(self) -> Result<Near<Self>, ShapeError> {

@@ -8,8 +8,10 @@ use septum::sweep::{FirstContact, Motion, Sweep};
 use septum::{Aabb, Axis, Triangle};
 use septum_kit::fixed::types::extra::{U7, U8, U64};
 use septum_kit::fixed::{FixedI8, FixedI64};
-use septum_kit::sweeps::SweepSet;
-use septum_kit::{Each, Rng, Sample, Set, for_every_scalar, not_finite, with_every_scalar};
+use septum_kit::sweeps::{SweepCase, SweepSet};
+use septum_kit::{
+    BoxNumbers, Case, Each, Rng, Sample, Set, for_every_scalar, not_finite, with_every_scalar,
+};
 
 /// All sets, triangles with boxes and boxes with boxes; counts the misses, contacts at the start,
 /// and contacts during the motion.
@@ -165,6 +167,33 @@ fn nothing_passes_a_wall<S: Sample>() {
     }
 }
 for_every_scalar!(nothing_passes_a_wall);
+
+/// Along one axis all differences overflow in floats; along the others all is near.
+fn nothing_is_lost_at_the_ends_of_the_range<S: Sample>() {
+    let mut rng = Rng::new(0xe4d5);
+    let far = |share: f64| S::nearest(S::GREATEST.approximate() * share);
+    let near = [0.0, 0.25, 7.5].each(S::nearest);
+    let mut seen = [0; 3];
+    for _ in 0..3_000 {
+        let axis = rng.below(3);
+        let side = if rng.below(2) == 0 { 1.0 } else { -1.0 };
+        let mut point = |shares: [f64; 3]| {
+            let mut point = rng.triple(|rng| near[rng.below(3)]);
+            point[axis] = far(shares[rng.below(3)]);
+            point
+        };
+        let vertices = [(); 3].each(|()| point([side, 0.9 * side, 0.95 * side]));
+        let center = point([-side, -0.9 * side, -0.8 * side]);
+        let half = point([0.99, 0.7, 0.2]);
+        let way = [point([0.8 * side; 3]), point([0.0, -0.2 * side, 0.9 * side])];
+        let case = Case { vertices, aabb: BoxNumbers::Center(center, half) };
+        let sweep = SweepCase { case, way };
+        seen[sweep.check_relation() as usize] += 1;
+        sweep.check();
+    }
+    assert!(seen[0] > 100 && seen[1] + seen[2] > 100, "{seen:?}");
+}
+for_every_scalar!(nothing_is_lost_at_the_ends_of_the_range);
 
 #[test]
 fn a_motion_is_of_numbers() {
