@@ -161,7 +161,7 @@ export class Mesh {
     /** Whether a triangle is no farther from a point than a radius. */
     overlapsSphere(center: Vector, radius: number): boolean;
     trianglesInSphere(center: Vector, radius: number): Uint32Array;
-    /** The closest point of all triangles, at most `within` away: Infinity. Of triangles as near, the first. */
+    /** The closest point of all triangles, at most `within` away, rounded to f32: Infinity. Of triangles as near, the first. */
     closestPoint(point: Vector, options?: { within?: number }): ClosestPoint | null;
     /** The distance from a closed mesh, rounded; negative inside, exactly. Null without a triangle. */
     signedDistance(point: Vector): number | null;

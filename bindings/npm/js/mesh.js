@@ -193,6 +193,7 @@ export class Mesh {
         const count = sane(exports.all_hits(this.#here, o[0], o[1], o[2], d[0], d[1], d[2], near, far, cull));
         const at = exports.found() >>> 2;
         const hits = Array.from({ length: count }, (_, k) => this.#hit(o, d, asWords()[at + 5 * k], at + 5 * k + 1));
+        giveBack(5 * count);
         return hits.sort((a, b) => a.t - b.t || a.triangle - b.triangle);
     }
 
@@ -229,7 +230,7 @@ export class Mesh {
      */
     raycastMany(rays, given) {
         return this.#many('rays', rays, 6, 'a ray', (exports, at, count) => {
-            if (count > 0) exports.first_hits(this.#handle, ...reach(given));
+            exports.first_hits(this.#handle, ...reach(given));
             const [floats, words] = [asFloats(), asWords()];
             const [triangle, t, u, v] = [new Int32Array(count), new Float32Array(count), new Float32Array(count), new Float32Array(count)];
             for (let k = 0, p = at; k < count; k += 1, p += 6) {
@@ -264,7 +265,7 @@ export class Mesh {
             asFloats().set(numbers, at);
             return ask(exports, at, numbers.length / each);
         } finally {
-            if (numbers.length > SHORT) forget();
+            giveBack(numbers.length);
         }
     }
 
@@ -305,7 +306,7 @@ export class Mesh {
     /** The triangles that overlap a box, in the order of their numbers. */
     trianglesInBox(min, max) {
         const [a, b] = corners('', min, max);
-        return found(sane(module().in_box(this.#here, ...a, ...b))).sort();
+        return triangles(module().in_box(this.#here, ...a, ...b));
     }
 
     /** Whether a ball overlaps a triangle: whether one is no farther from the centre than the radius. */
@@ -315,10 +316,13 @@ export class Mesh {
 
     /** The triangles that overlap a ball, in the order of their numbers. */
     trianglesInSphere(center, radius) {
-        return found(sane(module().in_sphere(this.#here, ...vector('center', center), length('radius', radius)))).sort();
+        return triangles(module().in_sphere(this.#here, ...vector('center', center), length('radius', radius)));
     }
 
-    /** The point of a triangle that is closest to another, or null; none is farther than `within`. */
+    /**
+     * The point of a triangle that is closest to another, or null. None is farther than `within`, rounded
+     * to the nearest f32: that of 0.1 is a little more, and that of 0.7 a little less.
+     */
     closestPoint(point, given) {
         const p = vector('point', point);
         const { within = Infinity } = given === undefined ? {} : options(given, ['within']);
@@ -346,7 +350,7 @@ export class Mesh {
     overlappingPairs(other, limit = 0xffff_ffff) {
         whole('limit', limit, 0, 0xffff_ffff);
         const pairs = found(2 * this.#pairs(other, limit));
-        if (pairs.length > SHORT) forget();
+        giveBack(pairs.length);
         return pairs;
     }
 
@@ -446,6 +450,18 @@ function sane(answer) {
     return answer;
 }
 
+/** Gives the memory of a list of so many words back, if it is long. */
+function giveBack(words) {
+    if (words > SHORT) forget();
+}
+
+/** The list as triangles, in the order of their numbers. */
+function triangles(count) {
+    const all = found(sane(count));
+    giveBack(count);
+    return all.sort();
+}
+
 /** The list as contacts. In the module the triangle moves; here the other shape does. */
 function contacts(count) {
     if (count === -1) throw new RangeError('there is no memory to find the interior edges');
@@ -461,6 +477,7 @@ function contacts(count) {
             point: [floats[at + 9], floats[at + 10], floats[at + 11]], part: part(words[at + 12]),
         };
     });
+    giveBack(13 * count);
     return all.sort((a, b) => a.triangle - b.triangle);
 }
 

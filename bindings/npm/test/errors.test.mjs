@@ -113,6 +113,11 @@ test('options and counts say what is wrong', async () => {
     told(() => mesh.raycastMany([1, 2, 3, 4, 5]), 'rays have 5 numbers, not a multiple of 6: a ray has 6');
     told(() => mesh.raycastMany([1, 2, 3, 4, 5, 6, 1, 2, NaN, 4, 5, 6]), 'rays[8] is NaN, not a finite number');
     told(() => mesh.raycastAnyMany([1, 2, 3, 0, 0, 0]), 'the direction of ray 0 is zero: rays[3] to rays[5]');
+    // Options are looked at without a ray too.
+    for (const ask of ['raycastMany', 'raycastAnyMany']) {
+        told(() => mesh[ask]([], { bad: 1 }), 'options.bad is unknown; there are near, far, cull');
+        told(() => mesh[ask]([], { near: 2, far: 1 }), 'options.near is 2, above options.far, which is 1');
+    }
     told(() => mesh.containsMany([1, 2, 3, 4, 5, Infinity]), 'points[5] is Infinity, not a finite number');
     told(() => mesh.overlapsBox([0, 3, 0], [1, 2, 1]), 'min.y is 3, above max.y, which is 2');
     told(() => mesh.overlapsSphere(V, -1), 'radius is -1, which is negative');

@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { init, inSteps, Mesh } from '../js/index.js';
+import { forget, module } from '../js/memory.js';
 
 await init();
 const corners = Float32Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1);
@@ -45,6 +46,12 @@ test('the closest point of a mesh', () => {
     assert.deepEqual([point, distance, part.kind], [[0, 0, 0], 5, 'vertex']);
     assert.notEqual(mesh.closestPoint([-3, -4, 0], { within: 5 }), null);
     assert.equal(mesh.closestPoint([-3, -4, 0], { within: 4.999 }), null);
+    // A limit is rounded to the nearest f32: up, or down.
+    for (const [within, isWithin] of [[0.1, true], [0.7, false]]) {
+        assert.equal(Math.fround(within) > within, isWithin);
+        const next = Math.fround(within) + (isWithin ? 0 : 2 ** -24);
+        assert.equal(mesh.closestPoint([0.125, 0.125, -next], { within }) !== null, isWithin);
+    }
     assert.equal(new Mesh([], []).closestPoint([0, 0, 0]), null);
     assert.equal(new Mesh([], []).signedDistance([0, 0, 0]), null);
     assert.deepEqual([[0.25, 0.25, 0.125], [0.25, 0.25, -2], [0.25, 0.25, 0]].map((p) => mesh.signedDistance(p)), [-0.125, 2, 0]);
@@ -104,7 +111,9 @@ test('many rays and points are the same as one by one', () => {
         assert.equal(any[k] === 1, mesh.raycastAny(o, d));
         assert.deepEqual([inside[2 * k] === 1, inside[2 * k + 1] === 1], [mesh.contains(o), mesh.contains(d)]);
     }
-    assert.equal(mesh.raycastMany([]).triangle.length, 0);
+    for (const numbers of Object.values(mesh.raycastMany([], { cull: 'back' }))) assert.equal(numbers.length, 0);
+    assert.deepEqual(mesh.raycastAnyMany([], { far: 2 }), new Uint8Array(0));
+    assert.deepEqual(mesh.containsMany([]), new Uint8Array(0));
 });
 
 test('a geometry of three.js, indexed, not indexed, or interleaved', () => {
@@ -139,4 +148,26 @@ test('memory that is given back is used again', () => {
     assert.equal(many[9].overlappingPairs(many[0], 5).length, 10);
     assert.equal(many[9].overlapsMesh(many[0]), true);
     many.forEach((mesh) => mesh.free());
+});
+
+test('a long list is given back', () => {
+    // All of its triangles are one.
+    const count = 70_000;
+    const mesh = new Mesh(corners.subarray(0, 9), Uint32Array.from({ length: 3 * count }, (_, k) => k % 3));
+    forget();
+    const none = module().found();
+    const at = [0.25, 0.25, 0.125];
+    for (const [name, length, ask] of [
+        ['raycastAll', count, () => mesh.raycastAll(at, [0, 0, -1])],
+        ['trianglesInBox', count, () => mesh.trianglesInBox([0, 0, 0], at)],
+        ['trianglesInSphere', count, () => mesh.trianglesInSphere(at, 1)],
+        ['sphereContacts', count, () => mesh.sphereContacts(at, 1)],
+        ['capsuleContacts', count, () => mesh.capsuleContacts(at, at, 1)],
+        ['overlappingPairs', 2 * count, () => mesh.overlappingPairs(mesh, count)],
+        ['containsMany', count, () => mesh.containsMany(new Float32Array(3 * count))],
+    ]) {
+        assert.equal(ask().length, length, name);
+        assert.equal(module().found(), none, name);
+    }
+    assert.equal(mesh.raycast(at, [0, 0, -1]).triangle, 0);
 });
