@@ -30,7 +30,7 @@ pub(crate) fn read(bytes: &[u8], path: Option<&Path>) -> Result<Triangles, Box<d
             Source::Uri(uri) => match (uri.strip_prefix("data:"), path) {
                 (Some(data), _) => in_text(data)?,
                 (None, Some(path)) => {
-                    let place = path.with_file_name(uri);
+                    let place = path.with_file_name(decoded(uri)?);
                     std::fs::read(&place).map_err(|e| format!("{}: {e}", place.display()))?
                 }
                 (None, None) => return Err(format!("its buffer {uri} is a file beside it").into()),
@@ -42,11 +42,12 @@ pub(crate) fn read(bytes: &[u8], path: Option<&Path>) -> Result<Triangles, Box<d
         buffers.push(data);
     }
     let scene = file.default_scene().or_else(|| file.scenes().next());
-    let mut triangles = Vec::new();
+    let mut walk =
+        Walk { buffers, is_reached: vec![false; file.nodes().len()], triangles: Vec::new() };
     for node in scene.iter().flat_map(|scene| scene.nodes()) {
-        collect(&node, &IDENTITY, &buffers, &mut triangles, 0)?;
+        walk.collect(&node, &IDENTITY, 0)?;
     }
-    Ok(triangles)
+    Ok(walk.triangles)
 }
 
 /// The bytes of a data URI, after `data:`.
@@ -55,49 +56,89 @@ fn in_text(uri: &str) -> Result<Vec<u8>, Box<dyn Error>> {
     BASE64_STANDARD.decode(text).map_err(|e| format!("a buffer's data URI: {e}").into())
 }
 
-fn collect(
-    node: &Node<'_>,
-    parent: &Matrix,
-    buffers: &[Vec<u8>],
-    triangles: &mut Triangles,
-    depth: usize,
-) -> Result<(), Box<dyn Error>> {
-    if depth > DEEPEST {
-        return Err("its nodes are nested too deep".into());
+/// The name of the file that a URI stands for: `%20` is a blank. A percent sign without two digits
+/// is itself, as in names that their writer did not encode.
+fn decoded(uri: &str) -> Result<String, Box<dyn Error>> {
+    let mut parts = uri.split('%').map(str::as_bytes);
+    let mut name = parts.next().unwrap_or_default().to_vec();
+    let digit = |c: u8| char::from(c).to_digit(16);
+    for part in parts {
+        let byte = part.first_chunk().and_then(|&[a, b]| Some(16 * digit(a)? + digit(b)?));
+        name.push(byte.map_or(b'%', |byte| byte as u8));
+        name.extend(if byte.is_some() { &part[2..] } else { part });
     }
-    let own = node.transform().matrix().map(|column| column.map(f64::from));
-    // By columns: the node's axes and position in the parent's frame.
-    let placed = own.map(|c| [0, 1, 2, 3].map(|r| (0..4).map(|k| parent[k][r] * c[k]).sum()));
-    for primitive in node.mesh().iter().flat_map(|mesh| mesh.primitives()) {
-        let points = positions(&primitive, &placed, buffers)?;
-        let reader = primitive.reader(|buffer| buffers.get(buffer.index()).map(Vec::as_slice));
-        let indices: Vec<usize> = match primitive.indices() {
-            Some(accessor) => {
-                use DataType::{U8, U16, U32};
-                check(&accessor, "indices", &[U8, U16, U32], Dimensions::Scalar)?;
-                let indices = reader.read_indices().ok_or("a mesh has no indices")?;
-                indices.into_u32().map(|i| i as usize).collect()
-            }
-            None => (0..points.len()).collect(),
-        };
-        let corners: Vec<[usize; 3]> = match primitive.mode() {
-            Mode::Triangles if indices.len() % 3 != 0 => {
-                return Err(format!("a mesh of triangles has {} corners", indices.len()).into());
-            }
-            Mode::Triangles => indices.chunks_exact(3).map(|t| [t[0], t[1], t[2]]).collect(),
-            Mode::TriangleStrip => indices.windows(3).map(|t| [t[0], t[1], t[2]]).collect(),
-            Mode::TriangleFan => {
-                indices.windows(2).skip(1).map(|t| [indices[0], t[0], t[1]]).collect()
-            }
-            // Points and lines have no surface.
-            _ => Vec::new(),
-        };
-        for corner in corners {
-            let point = |i: usize| points.get(i).copied().ok_or("an index has no vertex");
-            triangles.push([point(corner[0])?, point(corner[1])?, point(corner[2])?]);
+    String::from_utf8(name).map_err(|_| format!("its buffer {uri} is not in UTF-8").into())
+}
+
+/// What is needed on the way through the nodes, and the triangles so far.
+struct Walk {
+    buffers: Vec<Vec<u8>>,
+    is_reached: Vec<bool>,
+    triangles: Triangles,
+}
+
+impl Walk {
+    fn collect(
+        &mut self,
+        node: &Node<'_>,
+        parent: &Matrix,
+        depth: usize,
+    ) -> Result<(), Box<dyn Error>> {
+        // Else a few nodes could be reached along more ways than a machine can go.
+        if std::mem::replace(&mut self.is_reached[node.index()], true) {
+            let node = node.index();
+            return Err(format!("its node {node} is reached twice: nodes are no tree").into());
         }
+        if depth > DEEPEST {
+            return Err("its nodes are nested too deep".into());
+        }
+        let own = node.transform().matrix().map(|column| column.map(f64::from));
+        // By columns: the node's axes and position in the parent's frame.
+        let placed = own.map(|c| [0, 1, 2, 3].map(|r| (0..4).map(|k| parent[k][r] * c[k]).sum()));
+        let is_mirrored = is_mirror(&placed);
+        for primitive in node.mesh().iter().flat_map(|mesh| mesh.primitives()) {
+            let points = positions(&primitive, &placed, &self.buffers)?;
+            let reader =
+                primitive.reader(|buffer| self.buffers.get(buffer.index()).map(Vec::as_slice));
+            let indices: Vec<usize> = match primitive.indices() {
+                Some(accessor) => {
+                    use DataType::{U8, U16, U32};
+                    check(&accessor, "indices", &[U8, U16, U32], Dimensions::Scalar)?;
+                    let indices = reader.read_indices().ok_or("a mesh has no indices")?;
+                    indices.into_u32().map(|i| i as usize).collect()
+                }
+                None => (0..points.len()).collect(),
+            };
+            let corners: Vec<[usize; 3]> = match primitive.mode() {
+                Mode::Triangles if indices.len() % 3 != 0 => {
+                    return Err(format!("a mesh of triangles has {} corners", indices.len()).into());
+                }
+                Mode::Triangles => indices.chunks_exact(3).map(|t| [t[0], t[1], t[2]]).collect(),
+                // Each second one begins with its edge the other way.
+                Mode::TriangleStrip => (indices.windows(3).enumerate())
+                    .map(|(i, t)| if i % 2 == 0 { [t[0], t[1], t[2]] } else { [t[0], t[2], t[1]] })
+                    .collect(),
+                Mode::TriangleFan => {
+                    indices.windows(2).skip(1).map(|t| [indices[0], t[0], t[1]]).collect()
+                }
+                // Points and lines have no surface.
+                _ => Vec::new(),
+            };
+            for [a, b, c] in corners {
+                let point = |i: usize| points.get(i).copied().ok_or("an index has no vertex");
+                let [a, b, c] = [point(a)?, point(b)?, point(c)?];
+                self.triangles.push(if is_mirrored { [a, c, b] } else { [a, b, c] });
+            }
+        }
+        node.children().try_for_each(|child| self.collect(&child, &placed, depth + 1))
     }
-    node.children().try_for_each(|child| collect(&child, &placed, buffers, triangles, depth + 1))
+}
+
+/// Whether a node turns the front of its triangles to the back: the determinant of its axes is
+/// negative.
+fn is_mirror([x, y, z, _]: &Matrix) -> bool {
+    let minor = |i: usize, k: usize| y[i] * z[k] - y[k] * z[i];
+    x[0] * minor(1, 2) + x[1] * minor(2, 0) + x[2] * minor(0, 1) < 0.0
 }
 
 fn positions(

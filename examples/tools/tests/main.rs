@@ -1,6 +1,7 @@
 //! The programs, run as a user runs them.
 
 mod documented;
+mod gltf;
 mod options;
 mod printing;
 mod quantise;
