@@ -121,7 +121,7 @@ impl Kind {
             Self::Ply
         } else if text.starts_with(b"glTF") || text.starts_with(b"{") {
             Self::Gltf
-        } else if text.starts_with(b"solid") || !is_text() {
+        } else if stl::begins_as_text(bytes) || !is_text() {
             Self::Stl
         } else {
             Self::Obj

@@ -17,6 +17,12 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Triangles, Box<dyn Error>> {
     Ok(triangles)
 }
 
+/// Whether a file begins as a text: after blanks, in letters of either case.
+pub(crate) fn begins_as_text(bytes: &[u8]) -> bool {
+    let word = bytes.trim_ascii_start().get(..5);
+    word.is_some_and(|word| word.eq_ignore_ascii_case(b"solid"))
+}
+
 /// The file in a form that `stl_io` recognizes by its first word.
 ///
 /// Binary files may begin with "solid" too, and are recognized by their length. Text files may have
@@ -28,7 +34,7 @@ fn unambiguous(bytes: &[u8]) -> Result<Vec<u8>, Box<dyn Error>> {
         let [.., a, b, c, d] = *header;
         HEADER + TRIANGLE * u32::from_le_bytes([a, b, c, d]) as usize
     });
-    if !bytes.starts_with(b"solid") || expected == Some(bytes.len()) {
+    if !begins_as_text(bytes) || expected == Some(bytes.len()) {
         return match expected {
             Some(length) if length <= bytes.len() => {
                 Ok([&[0; 80], bytes.get(80..).unwrap_or_default()].concat())

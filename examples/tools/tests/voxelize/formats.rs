@@ -179,6 +179,48 @@ fn read_formats_agree() {
     }
 }
 
+/// An STL file in text begins with "solid" in letters of either case, after blanks; a binary one may
+/// begin so too.
+#[test]
+fn stl_in_text_or_binary() {
+    let desk = Desk::new("stl");
+    desk.write("t.obj", TRIANGLE);
+    let reference = desk.voxels("t.obj -r 8 --up z");
+    let text = "solid s\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 4 0 0\nvertex 0 3 1\n\
+                endloop\nendfacet\nendsolid s\n";
+    let mut binary = b"solid of a binary file".to_vec();
+    binary.resize(80, b' ');
+    binary.extend([1, 0, 0, 0]);
+    for x in [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 4.0, 0.0, 0.0, 0.0, 3.0, 1.0_f32] {
+        binary.extend(x.to_le_bytes());
+    }
+    binary.extend([0, 0]);
+    let capitals = text.to_ascii_uppercase();
+    let files = [
+        ("text", text.into()),
+        ("capitals", capitals.clone().into_bytes()),
+        ("one capital", text.replace("solid", "Solid").into_bytes()),
+        ("after blanks", format!("\n\t {text}").into_bytes()),
+        ("capitals after blanks", format!("\r\n {capitals}").into_bytes()),
+        ("binary in capitals", [b"SOLID", &binary[5..]].concat()),
+        ("binary after blanks", [b"\n ", &binary[..78], &binary[80..]].concat()),
+        ("binary", binary),
+    ];
+    for (name, content) in files {
+        desk.write("s.stl", &content);
+        assert_eq!(desk.voxels("s.stl -r 8"), reference, "{name}");
+        // From standard input the format is known by what it begins with.
+        let mut process = desk
+            .command("- -r 8 --no-picture --up z --vox in.vox")
+            .stdin(Stdio::piped())
+            .stdout(Stdio::null())
+            .spawn()
+            .unwrap();
+        process.stdin.take().unwrap().write_all(&content).unwrap();
+        assert!(process.wait().unwrap().success(), "{name}");
+    }
+}
+
 /// Without files to write, a large grid is counted slab by slab.
 #[test]
 fn large_grids_are_counted() {
