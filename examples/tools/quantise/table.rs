@@ -116,6 +116,8 @@ fn text<S: Fixed<Bits: std::fmt::Display>>(
     nodes: &[Node],
     parts: &[Range<usize>],
 ) -> Result<String, Box<dyn Error>> {
+    // A file's name may have a line's end, which would end the comment.
+    let name = name.escape_debug();
     let mut out = format!("// The {name} in {scalar}, made by `quantise`.\n\n");
     writeln!(out, "use fixed::types::{scalar};\nuse septum::{{Vec3, mesh::Node}};\n")?;
     let bits = format!("i{}", 8 * size_of::<S>());

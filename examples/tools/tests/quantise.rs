@@ -116,6 +116,18 @@ fn a_box_without_a_lid() {
     assert!(table.contains("PARTS: [core::ops::Range<usize>; 1] = [0..12];"), "{table}");
 }
 
+/// The name of a file stays in the comment that names it, whatever it has in it.
+#[test]
+fn a_name_stays_in_its_comment() {
+    let directory = directory("name");
+    let name = "a\nstatic B: u8 = 0; \u{202e}\r'é.obj";
+    fs::write(directory.join(name), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
+    let [table, _] = printed("quantise", &[name], &directory);
+    let says = r"// The a\nstatic B: u8 = 0; \u{202e}\r\'é in I16F16, made by `quantise`.";
+    assert_eq!(table.lines().next(), Some(says));
+    assert!(!table.contains("\nstatic B"));
+}
+
 /// A field with nearly as many faces as 16 bits can tell apart, and one with more.
 #[test]
 fn indices_are_as_wide_as_they_must() {
