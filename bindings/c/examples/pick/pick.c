@@ -4,6 +4,7 @@
 #include <septum.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #define MOST 65536
 
@@ -11,24 +12,61 @@ static float vertices[MOST][3];
 static uint16_t triangles[MOST][3], order[MOST];
 static uint16_t nodes[MOST / 4][6][4];
 
+static void refuse(const char *path, unsigned line, const char *why) {
+    fprintf(stderr, "%s: line %u: %s\n", path, line, why);
+    exit(1);
+}
+
+/* Polygons become fans of triangles; a corner's texture and normal are passed over. */
 static size_t load(const char *path, size_t *vertex_count) {
     FILE *file = fopen(path, "r");
-    char line[256];
+    char text[1024];
     size_t v = 0, t = 0;
     if (file == NULL) {
         perror(path);
         exit(1);
     }
-    while (fgets(line, sizeof line, file) != NULL) {
-        unsigned a, b, c;
-        float *p = vertices[v];
-        if (v < MOST && sscanf(line, "v %f %f %f", &p[0], &p[1], &p[2]) == 3) {
-            v++;
-        } else if (t < MOST && sscanf(line, "f %u %u %u", &a, &b, &c) == 3) {
-            triangles[t][0] = (uint16_t)(a - 1);
-            triangles[t][1] = (uint16_t)(b - 1);
-            triangles[t][2] = (uint16_t)(c - 1);
-            t++;
+    for (unsigned line = 1; fgets(text, sizeof text, file) != NULL; line++) {
+        if (strchr(text, '\n') == NULL && !feof(file)) {
+            refuse(path, line, "too long");
+        }
+        text[strcspn(text, "#\r\n")] = '\0';
+        const char *name = strtok(text, " \t");
+        if (name == NULL) {
+            continue;
+        }
+        if (strcmp(name, "v") == 0) {
+            if (v == MOST) {
+                refuse(path, line, "more than 65536 vertices");
+            }
+            const char *numbers = strtok(NULL, "");
+            float *p = vertices[v++];
+            if (numbers == NULL || sscanf(numbers, "%f %f %f", &p[0], &p[1], &p[2]) != 3) {
+                refuse(path, line, "not three numbers");
+            }
+        } else if (strcmp(name, "f") == 0) {
+            uint16_t corners[3] = {0, 0, 0};
+            unsigned count = 0;
+            for (const char *word; (word = strtok(NULL, " \t")) != NULL;) {
+                char *end;
+                const long number = strtol(word, &end, 10);
+                if (end == word || (*end != '/' && *end != '\0') || number < 1 || number > MOST) {
+                    refuse(path, line, "a corner that is no number from 1 to 65536");
+                }
+                corners[count < 2 ? count : 2] = (uint16_t)(number - 1);
+                count++;
+                if (count < 3) {
+                    continue;
+                }
+                if (t == MOST) {
+                    refuse(path, line, "more than 65536 triangles");
+                }
+                memcpy(triangles[t++], corners, sizeof corners);
+                corners[1] = corners[2];
+            }
+            if (count < 3) {
+                refuse(path, line, "fewer than three corners");
+            }
         }
     }
     fclose(file);
@@ -76,7 +114,7 @@ int main(int count, char **arguments) {
     }
     size_t vertex_count = 0, triangle_count = load(arguments[1], &vertex_count);
     if (triangle_count == 0) {
-        fprintf(stderr, "%s: no lines \"f\" with three vertices\n", arguments[1]);
+        fprintf(stderr, "%s: no faces\n", arguments[1]);
         return 1;
     }
     septum_mesh_f32 mesh = {vertices, vertex_count, triangles, triangle_count, NULL, 0};

@@ -9,6 +9,12 @@
 
 using mesh = septum::mesh<float>;
 
+[[noreturn]] static void refuse(const char *path, unsigned line, const char *why) {
+    std::fprintf(stderr, "%s: line %u: %s\n", path, line, why);
+    std::exit(1);
+}
+
+// Polygons become fans of triangles; a corner's texture and normal are passed over.
 static septum::found<mesh> load(const char *path) {
     std::vector<septum::point<float>> vertices;
     std::vector<mesh::triangle> triangles;
@@ -17,17 +23,38 @@ static septum::found<mesh> load(const char *path) {
         std::perror(path);
         std::exit(1);
     }
+    unsigned number = 0;
     for (std::string line, word; std::getline(file, line);) {
-        std::istringstream words(line);
+        number++;
+        std::istringstream words(line.substr(0, line.find('#')));
+        word.clear();
         words >> word;
-        if (septum::point<float> p; word == "v" && words >> p[0] >> p[1] >> p[2]) {
+        if (word == "v") {
+            septum::point<float> p;
+            if (!(words >> p[0] >> p[1] >> p[2])) {
+                refuse(path, number, "not three numbers");
+            }
             vertices.push_back(p);
-        } else if (mesh::triangle t; word == "f" && words >> t[0] >> t[1] >> t[2]) {
-            triangles.push_back({t[0] - 1, t[1] - 1, t[2] - 1});
+        } else if (word == "f") {
+            std::vector<mesh::index> corners;
+            while (words >> word) {
+                char *end;
+                const long long corner = std::strtoll(word.c_str(), &end, 10);
+                if (end == word.c_str() || (*end != '/' && *end != '\0') || corner < 1 || corner > 0xffffffff) {
+                    refuse(path, number, "a corner that is no number of a vertex, counted from 1");
+                }
+                corners.push_back(mesh::index(corner - 1));
+            }
+            if (corners.size() < 3) {
+                refuse(path, number, "fewer than three corners");
+            }
+            for (std::size_t k = 2; k < corners.size(); k++) {
+                triangles.push_back({corners[0], corners[k - 1], corners[k]});
+            }
         }
     }
     if (triangles.empty()) {
-        std::fprintf(stderr, "%s: no lines \"f\" with three vertices\n", path);
+        std::fprintf(stderr, "%s: no faces\n", path);
         std::exit(1);
     }
     return mesh::build(std::move(vertices), std::move(triangles));
