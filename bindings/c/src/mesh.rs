@@ -38,7 +38,8 @@ pub struct Tree<T, I> {
 
 pub(crate) type Opened<T, I> = mesh::Tree<'static, <T as Number>::Scalar, I>;
 
-/// The contents of a [`Tree`]: first a mark that is not zero, so that a tree of zeros is not open.
+/// The contents of a [`Tree`]: first a mark that is not zero, so that a tree of zeros is not open. Each
+/// type of numbers and of indices has its own, so that neither is a tree of another type.
 #[repr(C)]
 struct Kept<T: Number, I: Index> {
     mark: u64,
@@ -46,7 +47,7 @@ struct Kept<T: Number, I: Index> {
 }
 
 impl<T: Number, I: Index> Kept<T, I> {
-    const MARK: u64 = 0x7365_7074_756d_0000 | (size_of::<I>() << 8 | size_of::<T>()) as u64;
+    const MARK: u64 = 0x7365_7074_756d_0000 | (size_of::<I>() as u64) << 8 | T::TAG as u64;
     const FITS: () = assert!(
         size_of::<Self>() <= size_of::<Tree<T, I>>()
             && align_of::<Self>() <= align_of::<Tree<T, I>>()

@@ -12,6 +12,9 @@ pub type I16F16 = i32;
 pub trait Number: Copy + PartialEq {
     type Scalar: Scalar;
 
+    /// Tells it from the other types, also of its size.
+    const TAG: u8;
+
     /// The numbers that stand for an unbounded range: as its start, and as its end.
     const UNBOUNDED: [Self; 2];
 
@@ -20,10 +23,11 @@ pub trait Number: Copy + PartialEq {
 }
 
 macro_rules! floats {
-    ($($number:ty)*) => {$(
+    ($($number:ty = $tag:literal)*) => {$(
         impl Number for $number {
             type Scalar = Self;
 
+            const TAG: u8 = $tag;
             const UNBOUNDED: [Self; 2] = [Self::NEG_INFINITY, Self::INFINITY];
 
             fn scalar(self) -> Self {
@@ -36,13 +40,14 @@ macro_rules! floats {
         }
     )*};
 }
-floats! { f32 f64 }
+floats! { f32 = 1 f64 = 2 }
 
 macro_rules! fixed_point {
-    ($($number:ident)*) => {$(
+    ($($number:ident = $tag:literal)*) => {$(
         impl Number for $number {
             type Scalar = types::$number;
 
+            const TAG: u8 = $tag;
             const UNBOUNDED: [Self; 2] = [Self::MIN, Self::MAX];
 
             fn scalar(self) -> Self::Scalar {
@@ -55,4 +60,4 @@ macro_rules! fixed_point {
         }
     )*};
 }
-fixed_point! { I8F8 I16F16 }
+fixed_point! { I8F8 = 3 I16F16 = 4 }
