@@ -9,8 +9,8 @@
 use core::cmp::Ordering;
 
 use crate::arithmetic::{
-    Arithmetic, BigInt, Embeds, Enclosed, Interval, Number, OneType, REGISTERS_ARE_WIDE, Soft,
-    sign_of, sum_of,
+    Arithmetic, BigInt, Embeds, Enclosed, Interval, Number, OneType, Parts, REGISTERS_ARE_WIDE,
+    Soft, sign_of, sum_of,
 };
 use crate::scalar::Scalar;
 
@@ -136,9 +136,17 @@ impl<T: Enclosed> Surd<T> {
     }
 
     /// How a number that is not negative compares with the root; `None` without exact numbers.
-    #[inline(never)]
     fn compare<S: Scalar>(&self, x: S) -> Option<Ordering> {
-        let parts = x.parts();
+        self.compare_parts::<S>(x.parts())
+    }
+
+    /// Whether the root is above one, which the scalar need not hold; `None` without exact numbers.
+    pub(super) fn is_above_one<S: Scalar>(&self) -> Option<bool> {
+        Some(self.compare_parts::<S>(S::ONE)? == Ordering::Less)
+    }
+
+    #[inline(never)]
+    fn compare_parts<S: Scalar>(&self, parts: Parts) -> Option<Ordering> {
         let zeros = if parts.magnitude == 0 { 0 } else { parts.magnitude.trailing_zeros() };
         let m = u128::from(parts.magnitude >> zeros);
         let exponent = i32::from(parts.shift) + zeros as i32 - i32::from(S::ONE.shift);

@@ -87,11 +87,19 @@ impl<S: Scalar> Ray<S> {
         [self.origin.to_array(), self.direction.to_array(), range]
     }
 
-    /// The same, with the unit of length as the third number if a product with an end needs it.
+    /// The same, with the unit of length as the third number.
+    #[inline(always)]
     pub(crate) fn numbers_and_unit(&self) -> [[S; 3]; 3] {
-        let [origin, direction, [from, to, zero]] = self.numbers();
-        let unit = if from == zero && to == zero { zero } else { S::UNIT_LENGTH };
-        [origin, direction, [from, to, unit]]
+        let [origin, direction, [from, to, _]] = self.numbers();
+        [origin, direction, [from, to, self.unit()]]
+    }
+
+    /// The unit of length, if floats need it for a product with an end, or zero. Fixed point has another one.
+    #[inline(always)]
+    pub(crate) fn unit(&self) -> S {
+        let needs = |end: Option<S>| end.is_some_and(|t| t != S::ZERO);
+        let is_needed = S::FLOAT.is_some() && (needs(self.t_min) || needs(self.t_max));
+        if is_needed { S::UNIT_LENGTH } else { S::ZERO }
     }
 }
 

@@ -42,8 +42,10 @@ impl<S: Scalar> Disjoint<'_, S> {
         let (from, to) = (ray.t_min(), ray.t_max());
         let (AabbForm::Center { center: p, half: q } | AabbForm::Corners { min: p, max: q }) =
             aabb.form();
-        let [o, d, ends] = ray.numbers_and_unit();
-        let [o, d, p, q, [t0, t1, unit]] = N::embed(&[o, d, p.to_array(), q.to_array(), ends])?;
+        let ends = [from.unwrap_or(S::ZERO), to.unwrap_or(S::ZERO), ray.unit()];
+        let (o, d) = (ray.origin().to_array(), ray.direction().to_array());
+        let all = [o, d, p.to_array(), q.to_array(), ends];
+        let [o, d, p, q, [t0, t1, unit]] = N::embed(&all)?;
         let line = match aabb.form() {
             AabbForm::Center { .. } => Slabs::<N>::in_center(&o, &d, &p, &q),
             AabbForm::Corners { .. } => Slabs::<N>::in_corners(&o, &d, &p, &q),

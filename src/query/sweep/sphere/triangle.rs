@@ -153,22 +153,33 @@ impl<S: Scalar> Question<S, 7> for Passing<'_, S, Triangle<S>> {
         if let Some(face) = course.face()? {
             return Some(SphereContact { t: face.floor()?, part: Some(Feature::Interior) });
         }
-        let mut first: Option<Self::Answer> = None;
-        let mut add = |t: S, part: Feature| {
-            if first.is_none_or(|first| t < first.t) {
-                first = Some(SphereContact { t, part: Some(part) });
-            }
-        };
+        let mut first = None;
         for k in 0..3 {
             if let Some(edge) = course.edge(k)? {
-                add(edge.floor()?, Feature::Edge(k as u8));
+                add(&mut first, &edge, Feature::Edge(k as u8))?;
             }
         }
         for k in 0..3 {
             if let Some(vertex) = course.vertex(k)? {
-                add(vertex.floor()?, Feature::Vertex(k as u8));
+                add(&mut first, &vertex, Feature::Vertex(k as u8))?;
             }
         }
         first
     }
+}
+
+/// Adds a part that is met before the first so far, and not after the end of the motion. At the number
+/// where the motion ends, or next to it where the scalar holds no one, times beyond it are rounded down to it.
+#[inline(always)]
+fn add<S: Scalar, T: Enclosed>(
+    first: &mut Option<SphereContact<S, Feature>>,
+    root: &Surd<T>,
+    part: Feature,
+) -> Option<()> {
+    let t: S = root.floor()?;
+    let is_first = first.is_none_or(|first| t < first.t);
+    if is_first && !(t == S::plain_one() && root.is_above_one::<S>()?) {
+        *first = Some(SphereContact { t, part: Some(part) });
+    }
+    Some(())
 }
