@@ -94,11 +94,12 @@ impl<S: Scalar> Ray<S> {
         [origin, direction, [from, to, self.unit()]]
     }
 
-    /// The unit of length, if floats need it for a product with an end, or zero. Fixed point has another one.
+    /// The unit of length, if floats need it to compare an end with a face, or zero. Fixed point has another one.
+    /// If the range begins at zero, a sign suffices there.
     #[inline(always)]
     pub(crate) fn unit(&self) -> S {
-        let needs = |end: Option<S>| end.is_some_and(|t| t != S::ZERO);
-        let is_needed = S::FLOAT.is_some() && (needs(self.t_min) || needs(self.t_max));
+        let is_later = self.t_min.is_some_and(|t| t != S::ZERO);
+        let is_needed = S::FLOAT.is_some() && (self.t_max.is_some() || is_later);
         if is_needed { S::UNIT_LENGTH } else { S::ZERO }
     }
 }
