@@ -1,5 +1,6 @@
 //! The vector of an axis separates the shapes that the axis separates, checked by projection.
 
+use septum::sweep::{FirstContact, Motion};
 use septum::{Aabb, Axis, Obb, Triangle};
 use septum_kit::{Each, Rng, three};
 
@@ -46,6 +47,19 @@ fn vectors_are_what_they_are_said_to_be() {
     assert_eq!(vector(Axis::Edge { axis: 0, edge: 0 }), [0.0, -3.0, 2.0]);
     assert_eq!(vector(Axis::Edge { axis: 4, edge: 4 }), [-1.0, 0.0, -4.0]);
     assert_eq!(vector(Axis::Edge { axis: 2, edge: 2 }), [1.0, -5.0, 0.0]);
+}
+
+/// Fields are public, so that an index may be any number.
+#[test]
+fn normals_of_contacts_have_the_side_of_their_axis() {
+    let aabb = Aabb::from_min_max([0.0; 3], [1.0; 3]).unwrap();
+    let motion = Motion::new([0.0; 3], [1.0, -2.0, 3.0]).unwrap();
+    let normal = |i: u8| {
+        let axis = Some(Axis::Face(i));
+        FirstContact { t: 0.5, axis }.normal(&motion, &aabb).unwrap().to_array()
+    };
+    assert_eq!([3, 4, 5].each(normal), [[-1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, -1.0]]);
+    assert_eq!([0, 1, 2].each(normal), [3, 4, 5].each(normal));
 }
 
 /// The normal of a face is perpendicular to two axes, and leads along the third one, whichever hand
