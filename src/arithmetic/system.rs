@@ -234,7 +234,8 @@ pub trait Embeds<S>: Arithmetic {
         None
     }
 
-    /// A length times one, as an area in the frame; `unit` is the scalar's `UNIT_LENGTH`, embedded with it.
+    /// A length times one, as an area in the frame; `unit` is the scalar's `UNIT_LENGTH`, embedded with it. Systems
+    /// that do not double lengths have their own.
     #[inline(always)]
     fn times_one(d: Self::Length, unit: Self::Length) -> Self::Area {
         Self::area(d + d, unit)

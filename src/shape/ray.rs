@@ -94,8 +94,8 @@ impl<S: Scalar> Ray<S> {
         [origin, direction, [from, to, self.unit()]]
     }
 
-    /// The unit of length, if floats need it to compare an end with a face, or zero. Fixed point has another one.
-    /// If the range begins at zero, a sign suffices there.
+    /// The unit of length, if floats need it where a product with an end meets a length, or zero. Fixed point has
+    /// another one. If the range begins at zero, a sign suffices there.
     #[inline(always)]
     pub(crate) fn unit(&self) -> S {
         let is_later = self.t_min.is_some_and(|t| t != S::ZERO);

@@ -39,7 +39,7 @@ pub struct Tree<T, I> {
 pub(crate) type Opened<T, I> = mesh::Tree<'static, <T as Number>::Scalar, I>;
 
 /// The contents of a [`Tree`]: first a mark that is not zero, so that a tree of zeros is not open. Each
-/// type of numbers and of indices has its own, so that neither is a tree of another type.
+/// type of numbers and of indices has its own, so that a tree of one is not open as one of another.
 #[repr(C)]
 struct Kept<T: Number, I: Index> {
     mark: u64,

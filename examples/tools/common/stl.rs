@@ -25,8 +25,8 @@ pub(crate) fn begins_as_text(bytes: &[u8]) -> bool {
 
 /// The file in a form that `stl_io` recognizes by its first word.
 ///
-/// Binary files may begin with "solid" too, and are recognized by their length. Text files may have
-/// several solids, and solids without a name.
+/// Binary files may begin with "solid" too, and are recognized by their length, or by a zero. Text files
+/// may have several solids, and solids without a name.
 fn unambiguous(bytes: &[u8]) -> Result<Vec<u8>, Box<dyn Error>> {
     const HEADER: usize = 84;
     const TRIANGLE: usize = 50;
@@ -34,7 +34,8 @@ fn unambiguous(bytes: &[u8]) -> Result<Vec<u8>, Box<dyn Error>> {
         let [.., a, b, c, d] = *header;
         HEADER + TRIANGLE * u32::from_le_bytes([a, b, c, d]) as usize
     });
-    if !begins_as_text(bytes) || expected == Some(bytes.len()) {
+    let is_text = begins_as_text(bytes) && !bytes.iter().take(1024).any(|&b| b == 0);
+    if !is_text || expected == Some(bytes.len()) {
         return match expected {
             Some(length) if length <= bytes.len() => {
                 Ok([&[0; 80], bytes.get(80..).unwrap_or_default()].concat())

@@ -30,7 +30,9 @@ const SIDE: u16 = 240;
 const SIDE_BY_DOTS: u16 = 420;
 const OF_LENGTHS: [u16; 4] = [MINOR, DOT, VOLUME, SIDE];
 
-// Of vectors from the corners of an oriented box, which are shorter and err by less.
+// Of vectors from the corners of an oriented box, which are shorter and err by less. The way along a capsule is a
+// difference of two of them, and errs by up to a quarter of a roundoff of R; its square is compared with an error of itself alone.
+// What `CORNER_MINOR` leaves covers that: a component of a cross product with it errs by half a roundoff of R², of two.
 const CORNER_MINOR: u16 = 2;
 const CORNER_DOT: u16 = 3;
 const CORNER_VOLUME: u16 = 2;

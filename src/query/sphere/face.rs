@@ -122,7 +122,7 @@ impl<N: Arithmetic> Reach<N> {
     /// that of an edge. Its three components are at most [`THIN`] roundoffs of the square of the greatest
     /// component of an edge. So half of the width is at most √3/2 of as many roundoffs of that component, and
     /// the same number of roundoffs of it and of the radius leaves room for rounding, as `face.g` proves. The
-    /// error of the normal is a part of the bound, so the edge is longer than all else by 1/256, and in range.
+    /// error of the normal is a part of the bound, so the edge is at least 1/256 of the greatest length, and in range.
     #[cold]
     #[inline(never)]
     fn excludes_thin_face<const K: usize>(

@@ -204,6 +204,7 @@ fn stl_in_text_or_binary() {
         ("capitals after blanks", format!("\r\n {capitals}").into_bytes()),
         ("binary in capitals", [b"SOLID", &binary[5..]].concat()),
         ("binary after blanks", [b"\n ", &binary[..78], &binary[80..]].concat()),
+        ("binary with more at its end", [&binary[..], &[0, 0]].concat()),
         ("binary", binary),
     ];
     for (name, content) in files {
