@@ -43,8 +43,8 @@ pub(super) fn in_forty_bits<F: Float, const K: usize>(all: &[[F; 3]; K]) -> Opti
 }
 
 /// Floats as integer multiples of one power of two, if 60 bits hold each. That covers grids,
-/// and most scenes that were once in a coarser format. One is among them on request, or as a coordinate, because
-/// the unit is the scene's and not the scalar's.
+/// and most scenes that were once in a coarser format. One is among them on request, or as a
+/// coordinate, because the unit is the scene's and not the scalar's.
 impl<F: Float, const LARGE: bool> Embeds<F> for Int64<LARGE> {
     type OfAreas = Window;
 

@@ -38,9 +38,9 @@ impl<S: Copy> Grid<S> {
 /// A bit for each voxel of a grid, in the caller's memory: surface voxelization of a mesh.
 ///
 /// A row begins with the least bit of a new word and has a bit for each voxel, x rising. Rows
-/// follow each other, y rising, then z. Only [`clear`](Self::clear) and [`Solid::finish`](super::Solid::finish)
-/// change bits beyond the grid in the last word of a row. Slabs of a grid along z share no word; the words of all slabs in order are the
-/// words of the grid.
+/// follow each other, y rising, then z. Only [`clear`](Self::clear) and
+/// [`Solid::finish`](super::Solid::finish) change bits beyond the grid in the last word of a row.
+/// Slabs of a grid along z share no word; the words of all slabs in order are the words of the grid.
 ///
 /// The order of triangles, the order of their vertices, and the cut of a grid into parts change
 /// no bit.

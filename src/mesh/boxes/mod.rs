@@ -137,3 +137,26 @@ fn is_clamped<S: Scalar>(aabb: &Aabb<S>) -> bool {
         half[k] > S::ZERO && (is_past(min[k], low, back_up) || is_past(max[k], high, back_down))
     })
 }
+
+#[cfg(all(test, feature = "fixed"))]
+mod tests {
+    use fixed::FixedI8;
+    use fixed::types::extra::U0;
+
+    use super::is_clamped;
+    use crate::shape::Aabb;
+
+    /// All intervals of eight bits, by whole numbers.
+    #[test]
+    fn only_what_is_beyond_the_range_is_clamped() {
+        for center in i8::MIN..=i8::MAX {
+            for half in 0..=i8::MAX {
+                let of = |x: i8| [FixedI8::<U0>::ZERO, FixedI8::from_bits(x), FixedI8::ZERO];
+                let aabb = Aabb::from_center_half_extents(of(center), of(half)).unwrap();
+                let [low, high] = [-1, 1].map(|side| i32::from(center) + side * i32::from(half));
+                let is_beyond = low < i32::from(i8::MIN) || high > i32::from(i8::MAX);
+                assert_eq!(is_clamped(&aabb), is_beyond, "{center} {half}");
+            }
+        }
+    }
+}

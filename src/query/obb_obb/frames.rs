@@ -49,7 +49,7 @@ pub(super) fn relation<S: Scalar + InFloat<F>, F: Float>(
     // `f32` asks again in `f64`. `may_overlap` must not decide more here than on other machines.
     let is_first = size_of::<F>() == size_of::<S::SeptumFirst>();
     let is_fine = <S as InFloat<F>>::PLACE * F::from(1 << 11) <= F::from(1);
-    // The type itself too, which counts in units of one.
+    // So must the type itself: axes are counted in units of its one.
     let is_held = holds_one::<S, F>() && S::plain_one().in_double() == 1.0;
     let applies = Row::IS_VECTOR && !SMALL_CODE && is_first && is_fine && is_held;
     if !applies || asked == Asked::MayOverlap {
@@ -324,7 +324,7 @@ mod tests {
         }
     }
 
-    /// Their numbers next to one are none: I0F16 ends at a half.
+    /// The greatest number of these types is not one: I0F16 ends at a half.
     #[cfg(feature = "fixed")]
     #[test]
     fn types_without_one_have_no_frames() {

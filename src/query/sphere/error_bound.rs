@@ -30,9 +30,14 @@ const SIDE: u16 = 240;
 const SIDE_BY_DOTS: u16 = 420;
 const OF_LENGTHS: [u16; 4] = [MINOR, DOT, VOLUME, SIDE];
 
-// Of vectors from the corners of an oriented box, which are shorter and err by less. The way along a capsule is a
-// difference of two of them, and errs by up to a quarter of a roundoff of R; its square is compared with an error of itself alone.
-// What `CORNER_MINOR` leaves covers that: a component of a cross product with it errs by half a roundoff of R², of two.
+// Of vectors from the corners of an oriented box, which are shorter and err by less.
+//
+// The way e along a capsule is a difference of two of them, and errs by up to a quarter of a roundoff of R, which is not
+// relative to e. Still e·e·r² has no more than `PRODUCT` roundoffs of itself as its error, for what `CORNER_MINOR` leaves
+// covers the rest. Let k be a roundoff of R². A component of c = e × m errs by half of k, so c·c by 1.73·k·|c| + 0.75·k²,
+// and 4·k·|c| + 12·k² are allowed. Where r is at most R, e·e·r² errs by 0.87·k·|e|·r. That is at most 0.87·k·|c| if the line
+// lies beyond r, and else the difference allowed for is larger by as much as |e|·r exceeds |c|. Where r is greater than R,
+// no point is beyond it.
 const CORNER_MINOR: u16 = 2;
 const CORNER_DOT: u16 = 3;
 const CORNER_VOLUME: u16 = 2;
