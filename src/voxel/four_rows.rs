@@ -7,7 +7,7 @@
 //! The view along an axis gives an interval of each slab (`view`). In a row of voxels the plane of
 //! the triangle covers an interval of x: half of its slopes in y and z on both sides of its place
 //! at the middle of the row. If the plane is parallel to x, it separates only what the view along
-//! x separates.
+//! x separates, and if it is perpendicular to x, what the bounds on x separate.
 //!
 //! Each end is known between a lower and an upper bound. If both lie between the same two planes
 //! of the grid, so does the end. Otherwise the exact test of triangle and voxel decides about the
@@ -223,7 +223,9 @@ impl<S: Scalar> Rows<'_, S> {
     #[inline(always)]
     fn plane(&self, xy: &View, xz: &View, yz: &View) -> Option<Plane> {
         let InBlock { widest, error, .. } = &self.inside;
-        if yz.sign == Ordering::Equal {
+        // Across x it separates only what the bounds on x do.
+        let is_across = (xy.sign == Ordering::Equal) & (xz.sign == Ordering::Equal);
+        if is_across | (yz.sign == Ordering::Equal) {
             let reach = [-FAR, -FAR, FAR, FAR];
             return Some(Plane { middle: 0.0, slopes: [0.0; 2], reach });
         }

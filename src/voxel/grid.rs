@@ -55,8 +55,8 @@ impl<S: Scalar> Grid<S> {
     /// [`GridError::NotFinite`] if a number is NaN or infinite,
     /// [`GridError::CellNotPositive`], [`GridError::NoVoxels`] if an axis has none,
     /// [`GridError::TooManyVoxels`] if an axis has more than [`MOST`](Self::MOST),
-    /// [`GridError::OutOfRange`] if the scalar does not hold the greatest corner, and in
-    /// floats [`GridError::CellTooSmall`] if a cell is less than 8 roundoffs of the distance
+    /// [`GridError::OutOfRange`] if the scalar does not hold the greatest corner, or in floats
+    /// |origin| + resolution·cell, and in floats [`GridError::CellTooSmall`] if a cell is less than 8 roundoffs of the distance
     /// |origin| + resolution·cell, for then two planes might round to one number.
     ///
     /// *Panics*: never.
@@ -105,7 +105,8 @@ impl<S: Scalar> Grid<S> {
     /// # Errors
     /// As for [`new`](Self::new): [`GridError::NoVoxels`] if `resolution` is zero,
     /// [`GridError::CellNotPositive`] if the box is a point, or too small for the scalar,
-    /// [`GridError::OutOfRange`] also if a corner of the box is beyond all floats.
+    /// [`GridError::OutOfRange`] also if a corner of the box, its length or the cell is no number of the
+    /// scalar, or the least corner less the margin is not.
     ///
     /// *Panics*: never.
     ///

@@ -81,7 +81,9 @@ impl<S: Scalar> Line<S> {
     pub(super) fn order(&self, grid: &Grid<S>, a: (usize, i32), b: (usize, i32)) -> Ordering {
         let gap = self.time(a.0, a.1) - self.time(b.0, b.1);
         let error = self.error[a.0] + self.error[b.0];
-        match certain_sign(gap, error) {
+        // A time may overflow where its error does not.
+        let sign = if gap.is_finite() { certain_sign(gap, error) } else { 0 };
+        match sign {
             0 => self.exact_order(grid, a, b),
             sign => sign.cmp(&0),
         }

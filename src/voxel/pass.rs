@@ -86,7 +86,9 @@ impl<S: Scalar, M: AxisMarks> Pass<S, M> {
             z: z.first - 1,
         };
         if !is_full {
-            pass.plane = Plane::new(&pass.placed);
+            // A plane across x separates only what the bounds on x do.
+            let is_across = |plane: &Plane| plane.signs == [Ordering::Equal; 2];
+            pass.plane = Plane::new(&pass.placed).filter(|plane| !is_across(plane));
             pass.see_layers(grid);
             pass.see_along_z(grid);
         }

@@ -27,7 +27,7 @@ use core::cmp::Ordering;
 use super::grid::Grid;
 use super::place::{AxisMarks, Level, Marks, Place, Span, locate};
 use super::sign::{self, side};
-use crate::arithmetic::{Each, greatest, least, three, turn};
+use crate::arithmetic::{Each, exp2, greatest, least, three, turn};
 use crate::scalar::Scalar;
 use crate::shape::Triangle;
 
@@ -161,6 +161,9 @@ impl<S: Scalar, M: AxisMarks> Placed<S, M> {
     }
 }
 
+/// Longer edges, in cells, may have products that overflow.
+const LONGEST: f64 = exp2(500);
+
 /// The plane of a triangle that is not parallel to x, oriented so that its normal points to
 /// greater x.
 #[derive(Clone, Copy, Debug)]
@@ -187,7 +190,9 @@ impl Plane {
                 size = if length <= size { size } else { length };
             }
         }
-        let doubt = 32.0 * placed.error * size;
+        // Where products may overflow, floats say nothing.
+        let error = if size < LONGEST { placed.error } else { f64::INFINITY };
+        let doubt = 32.0 * error * size;
         let mut normal = [0.0; 3];
         let mut signs = [Ordering::Equal; 3];
         for i in 0..3 {
@@ -211,7 +216,7 @@ impl Plane {
         Some(Self {
             from: a,
             slopes: [-normal[1] * per_x, -normal[2] * per_x],
-            error: 128.0 * placed.error * size * (size + 2.0) * per_x.abs(),
+            error: 128.0 * error * size * (size + 2.0) * per_x.abs(),
             signs: [facing(signs[1]), facing(signs[2])],
             is_turned,
         })

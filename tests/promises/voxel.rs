@@ -1,7 +1,7 @@
 //! Grids of voxels: planes are exactly where documented, and the voxels that a triangle marks agree
 //! with an oracle that clips it, and with one test for each voxel.
 
-use septum::voxel::{Bits, Grid, GridError, Rule, TooFewWords};
+use septum::voxel::{Bits, Grid, GridError, Row, Rule, TooFewWords};
 use septum::{Triangle, Vec3};
 use septum_kit::voxels::{InScalar, VoxelScene};
 use septum_kit::{Each, Rng, three};
@@ -240,6 +240,30 @@ fn cells_without_a_reciprocal() {
         assert_eq!(rows, met);
         assert!(met > 10);
     }
+}
+
+/// The normal's products overflow, though the triangle contains the middle of all its rows.
+#[test]
+fn normals_beyond_floats() {
+    let f = f64::from_bits;
+    let [by, bz] = [f(0x5ff9_4034_bed7_1c68), f(0x5ffe_6a35_0f3d_bd9c)];
+    let [cy, cz] = [f(0xe012_f027_8f21_554e), f(0xe016_cfa7_cb6e_4e35)];
+    let x = 2_f64.powi(500);
+    let t = Triangle::new([-x, 0.0, 0.0], [x, by, bz], [x, cy, cz]).unwrap();
+    let grid = Grid::new([0.0, -3.0, -3.0], [3.0; 3], [8, 2, 2]).unwrap();
+    let mut words = vec![0_u64; grid.words::<u64>()];
+    let mut bits = Bits::new(&grid, &mut words).unwrap();
+    bits.fill(&t, Rule::Closed);
+    let rows: Vec<_> = grid.rows(&t, Rule::Closed).collect();
+    let mut count = 0;
+    for voxel in (0..32).map(|n| [n % 8, n / 8 % 2, n / 16]) {
+        let meets = t.overlaps(&grid.voxel(voxel).unwrap());
+        assert_eq!(bits.contains(voxel), meets, "{voxel:?}");
+        let in_rows = |row: &Row| [row.y, row.z] == voxel[1..] && row.x.contains(&voxel[0]);
+        assert_eq!(rows.iter().any(in_rows), meets, "{voxel:?}");
+        count += u32::from(meets);
+    }
+    assert!(count >= 8, "{count}");
 }
 
 /// For any numbers, an answer comes, and soon.

@@ -204,3 +204,21 @@ fn walks_of_lines_beyond_floats_in_cells() {
     }
     assert!(met > 20_000, "{met}");
 }
+
+/// A line through a corner of voxels whose time there is beyond all floats.
+#[test]
+fn walks_through_a_corner_at_an_infinite_time() {
+    let power = |exponent: i32| 2_f64.powi(exponent);
+    let grid = Grid::new([-2.0, -2.0, 0.0], [1.0; 3], [4, 4, 1]).unwrap();
+    let from = [-power(26), -49.0 * power(20), 0.5];
+    let ray = Ray::new(from, [power(-998), 49.0 * power(-1004), 0.0]).unwrap();
+    let mut walked: Vec<_> = grid.walk_ray(&ray, Rule::Closed).collect();
+    walked.sort_unstable();
+    let voxels = (0..16).map(|n| [n / 4, n % 4, 0]);
+    let met = voxels.filter(|&voxel| ray.overlaps(&grid.voxel(voxel).unwrap()));
+    assert_eq!(walked, met.collect::<Vec<_>>());
+    assert!(walked.contains(&[2, 1, 0]) && walked.contains(&[1, 2, 0]));
+    let half_open: Vec<_> = grid.walk_ray(&ray, Rule::HalfOpen).collect();
+    let is_through = half_open.windows(2).any(|pair| pair == [[1, 1, 0], [2, 2, 0]]);
+    assert!(is_through, "{half_open:?}");
+}
