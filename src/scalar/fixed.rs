@@ -99,6 +99,12 @@ macro_rules! scalar {
             fn plain_one() -> Self {
                 Self::saturating_from_num(1)
             }
+            fn rest_of_one(u: Self, v: Self) -> Self {
+                let [u, v] = [u, v].map(|x| i128::from(x.to_bits()));
+                let least = -i128::from(Self::GREATEST) - 1;
+                let rest = (1_i128 << Self::FRAC_NBITS) - u - v;
+                Self::from_raw(rest.clamp(least, Self::GREATEST.into()) as i64)
+            }
             #[inline(always)]
             fn plain_add(self, other: Self) -> Self {
                 self.wrapping_add(other)

@@ -29,6 +29,10 @@ macro_rules! float {
                 1.0
             }
             #[inline(always)]
+            fn rest_of_one(u: Self, v: Self) -> Self {
+                1.0 - u - v
+            }
+            #[inline(always)]
             fn plain_add(self, other: Self) -> Self {
                 self + other
             }

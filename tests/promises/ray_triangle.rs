@@ -159,3 +159,41 @@ for_scalars!([
     i16f0: fixed::types::I16F0,
     i33f31: fixed::types::I33F31,
 ] any);
+
+/// The rest of one, in types that do not hold one.
+#[test]
+fn the_third_weight_needs_no_one() {
+    use septum::{Hit, Ray, Triangle};
+    use septum_kit::fixed::types::{I0F8, I1F7, I4F4, I8F8};
+
+    let [z, quarter, half] = [0.0, 0.25, 0.5].map(I1F7::from_num);
+    let triangle = Triangle::new([z; 3], [half, z, z], [z, half, z]).unwrap();
+    let ray = Ray::new([quarter, quarter, half], [z, z, -half]).unwrap();
+    assert_eq!(ray.hit(&triangle).map(|hit| hit.w()), Some(z));
+
+    macro_rules! every {
+        ($($scalar:ident)*) => {$(
+            let one = 1_i32 << $scalar::FRAC_NBITS;
+            for (u, v) in (0..=127_i8).flat_map(|u| (0..=127_i8).map(move |v| (u, v))) {
+                let [t, u, v] = [0, u, v].map(|x| $scalar::from_bits(x.into()));
+                let facing = Facing::Front;
+                let w = Hit { t, u, v, facing, feature: Feature::Interior }.w();
+                let rest = one - i32::from(u.to_bits()) - i32::from(v.to_bits());
+                let [least, most] = [$scalar::MIN, $scalar::MAX].map(|x| i32::from(x.to_bits()));
+                assert_eq!(i32::from(w.to_bits()), rest.clamp(least, most), "{u} {v}");
+            }
+        )*};
+    }
+    every! { I0F8 I1F7 I4F4 I8F8 }
+}
+
+/// On every machine a zero has the sign of the determinant.
+#[test]
+fn zeros_have_the_sign_of_the_determinant() {
+    use septum::{Ray, Triangle};
+
+    let ray = Ray::new([-0.0_f32; 3], [-2.0, -2.0, 1.0]).unwrap();
+    let t = Triangle::new([0.0_f32; 3], [-2.0, -2.0, 2.0], [-2.0, 1.0, 0.0]).unwrap();
+    let hit = ray.hit(&t).unwrap();
+    assert_eq!([hit.u, hit.v].map(f32::to_bits), [(-0.0_f32).to_bits(); 2]);
+}

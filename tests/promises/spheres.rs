@@ -167,3 +167,19 @@ fn ranges_at_the_ends_of_fixed_point() {
     check::<I16F16>();
     check::<I32F32>();
 }
+
+/// A root of exactly the power of two beyond the greatest float lies above that float.
+#[test]
+fn a_root_beyond_the_greatest_float_is_infinite() {
+    let short = |n: i32| 2_f32.powi(n);
+    let ray = Ray::new([0.0; 3], [short(-24), short(-24), 0.0]).unwrap();
+    let ball = Sphere::new([short(104), short(104), 0.0], 0.0).unwrap();
+    assert_eq!(ray.t_range_sphere(&ball), Some((f32::MAX, f32::INFINITY)));
+    let long = |n: i32| 2_f64.powi(n);
+    let ray = Ray::new([0.0; 3], [long(-25), 0.0, 0.0]).unwrap();
+    let ball = Sphere::new([long(999), 0.0, 0.0], 0.0).unwrap();
+    assert_eq!(ray.t_range_sphere(&ball), Some((f64::MAX, f64::INFINITY)));
+    let line = ray.with_range(None, None).unwrap();
+    let behind = Sphere::new([-long(999), 0.0, 0.0], 0.0).unwrap();
+    assert_eq!(line.t_range_sphere(&behind), Some((f64::NEG_INFINITY, f64::MIN)));
+}

@@ -195,7 +195,7 @@ impl<S: Scalar> Hit<S> {
     #[inline]
     #[must_use]
     pub fn w(&self) -> S {
-        S::plain_one().plain_sub(self.u).plain_sub(self.v)
+        S::rest_of_one(self.u, self.v)
     }
 
     /// The hit point, rounded: one multiplication and one addition for each coordinate. In fixed

@@ -107,6 +107,8 @@ impl Refined {
     fn quotients(&self) -> [f64; 3] {
         let inverse = 1.0 / self.det;
         let quotient = |high: f64, low: f64| {
+            // A zero then has the sign of the determinant, as in every other system.
+            let (high, low) = (high + 0.0, low + 0.0);
             let first = high / self.det;
             first + (low - first * self.low_det) * inverse
         };
