@@ -37,6 +37,17 @@ impl Parts {
         (whole ^ sign) - sign
     }
 
+    /// The number in such units, rounded toward zero, if 63 bits hold it.
+    pub(crate) fn cut_to_units(self, low: i32) -> i64 {
+        let up = i32::from(self.shift) - low;
+        let whole = if up < 0 {
+            self.magnitude.checked_shr(up.unsigned_abs()).unwrap_or(0)
+        } else {
+            self.magnitude << up
+        };
+        if self.negative { -(whole as i64) } else { whole as i64 }
+    }
+
     /// The number in such units, if 127 bits hold it.
     #[inline]
     pub(crate) fn in_wide_units(self, low: i32) -> i128 {

@@ -37,11 +37,11 @@ impl<S: Scalar> ExactLine<InSums<S>> {
             return None;
         }
         let falls = self.is_below(i);
-        let den = InSums::<S>::sum(&[self.along(i, &self.d, S::ONE, falls)]);
+        let den = InSums::<S>::sum([self.along(i, &self.d, S::ONE, falls)]);
         let at = |is_near: bool| {
             let face =
                 self.volume(signed::<InSums<S>>(*pick(&self.h, i), self.volume.is_lt() != is_near));
-            let num = InSums::<S>::sum(&[self.along(i, &self.m, S::ONE, !falls), face]);
+            let num = InSums::<S>::sum([self.along(i, &self.m, S::ONE, !falls), face]);
             S::quotient(&num, &den)
         };
         Some((at(true), at(false)))

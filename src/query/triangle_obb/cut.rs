@@ -1,7 +1,8 @@
-//! The last stage for an oriented box in wide words, after a look at cut numbers.
+//! The last stage for an oriented box in wide words or in exact sums, after a look at cut numbers.
 //!
-//! A whole sum of products takes thousands of instructions there, and most axes need none. So each
-//! number is also cut to 18 bits, and a sum of these with a bound on its error comes first.
+//! A whole sum of products takes thousands of instructions on a 32-bit core, and an exact sum hundreds of
+//! nanoseconds on a host, and most axes need none. So each number is also cut to 18 bits, and a sum of these
+//! with a bound on its error comes first.
 //!
 //! # Numbers
 //!
@@ -11,35 +12,37 @@
 //!
 //! | quantity | magnitude | error |
 //! | --- | --- | --- |
-//! | component, to the nearest | 2^18 | 1/2 |
-//! | w = (a × b)/2^19, rounded down | 2^18 | 1 + 1 |
-//! | w·c/2^18, rounded down | 3·2^18 | 1 + (1 + 1920)/2^8 |
-//! | the same times a factor, over 2^10, rounded down | 3·2^26 | 1 + 2177 + 384 |
-//! | sum of up to four of these | 3·2^28 | 10248 |
+//! | component, to the nearest, of a word that is off by 2^-9 | 2^18 | 0.502 |
+//! | w = (a × b)/2^19, rounded down | 2^18 | 1 + 1.004 |
+//! | w·c/2^18, rounded down | 3·2^18 | 1 + (1 + 1925)/2^8 |
+//! | the same times a factor, over 2^10, rounded down | 3·2^26 | 1 + 2183 + 386 |
+//! | sum of up to four of these | 3·2^28 | 10280 |
 //!
-//! * w: two products of components up to 2^18, each off by 1/2; each product errs by 2^18.
-//! * w·c: three products of w, off by 2, with a component; and of w with a component off by 1/2.
-//! * The last product: the determinant, off by 8.51, with a factor up to 2^18; and the determinant
-//!   with a factor off by 1/2.
+//! * w: two products of components up to 2^18, each off by 0.502; each product errs by 1.004·2^18.
+//! * w·c: three products of w, off by 2.004, with a component; and of w with a component off by 0.502.
+//! * The last product: the determinant, off by 8.53, with a factor up to 2^18; and the determinant
+//!   with a factor off by 0.502.
 //!
 //! [`DOUBT`] is above the last line; `cut.g` proves the sums.
 
 use core::cmp::Ordering;
 use core::marker::PhantomData;
 
-use super::exact::{ExactParallelepiped, Factors, InWords, Term};
+use super::exact::{ExactParallelepiped, Factors, InSums, InWords, Term};
 use super::known::{cross, product};
-use crate::arithmetic::{ProductSum, WholeWord, Word, pick, turn};
+use super::short::EXACT;
+use crate::arithmetic::{ProductSum, WholeWord, Word, three};
 use crate::query::obb_short::size;
 use crate::query::relation::Reading;
+use crate::scalar::Scalar;
 
 /// The bits of a cut number, without its sign.
 const CUT: i32 = 18;
 /// A sum of cut numbers that exceeds this in magnitude has the sign of the whole sum.
-const DOUBT: i32 = 10_250;
+const DOUBT: i32 = 10_300;
 
-/// Words, each also cut.
-pub(super) struct InCutWords<'w, W>(PhantomData<&'w W>);
+/// Numbers, each also cut.
+pub(super) struct InCut<'n, N>(PhantomData<&'n N>);
 
 /// Numbers as they are, and cut.
 #[derive(Clone, Copy)]
@@ -48,64 +51,65 @@ pub(super) struct Both<W, C> {
     cut: C,
 }
 
-impl<'w, W: WholeWord> Factors for InCutWords<'w, W> {
-    type Factor = Both<W, i32>;
-    type Vector = Both<&'w [W; 3], [i32; 3]>;
+impl<'n, N: Factors> Factors for InCut<'n, N> {
+    type Factor = Both<N::Factor, i32>;
+    type Vector = Both<&'n N::Vector, [i32; 3]>;
 
     fn negated(x: Self::Factor) -> Self::Factor {
-        Both { whole: W::ZERO - x.whole, cut: -x.cut }
+        Both { whole: N::negated(x.whole), cut: -x.cut }
     }
-    #[inline(never)]
-    fn sign(terms: &[Term<'_, Self>]) -> Ordering {
+    #[inline(always)]
+    fn sign_of<'a>(terms: impl Iterator<Item = Term<'a, Self>> + Clone) -> Ordering
+    where
+        Self: 'a,
+    {
         let mut sum = 0;
-        for Term(factor, a, b, c) in terms {
+        for Term(factor, a, b, c) in terms.clone() {
             let determinant = product(&cross(&a.cut, &b.cut), &c.cut) >> 8;
             sum += <i32 as Word>::Sum::new(determinant, factor.cut, 0, 0).scaled();
         }
         if sum.abs() > DOUBT {
             return sum.cmp(&0);
         }
-        if sum == 0 && terms.iter().all(is_zero) {
+        let whole = terms.map(|Term(f, a, b, c)| Term(f.whole, a.whole, b.whole, c.whole));
+        if sum == 0 && whole.clone().all(N::is_zero) {
             return Ordering::Equal;
         }
-        InWords::sum_sign(terms.iter().map(|Term(f, a, b, c)| (f.whole, a.whole, b.whole, c.whole)))
+        N::sign_of(whole)
     }
 }
 
-/// Whether each product of a determinant has a factor zero, as of an edge and an axis along one
-/// coordinate axis.
-#[inline(never)]
-fn is_zero<W: WholeWord>(Term(_, a, b, c): &Term<'_, InCutWords<'_, W>>) -> bool {
-    let has = |x: &[W; 3], i: usize| *pick(x, i) != W::ZERO;
-    let [a, b, c] = [a.whole, b.whole, c.whole];
-    !(0..3).any(|i| {
-        let (i, j, k) = turn(i);
-        has(a, i) && (has(b, j) && has(c, k) || has(b, k) && has(c, j))
-    })
-}
-
-impl<'w, W: WholeWord> ExactParallelepiped<InCutWords<'w, W>> {
-    /// The numbers, which words hold, and the same cut.
+impl<'n, N: Factors> ExactParallelepiped<InCut<'n, N>> {
+    /// Numbers as they are, and their leading bits in words cut to 18 bits. Words of lengths are accurate
+    /// enough if `least` bits or more are cut of them; otherwise all cut numbers are zero.
     #[inline(never)]
-    pub(super) fn new(words: &'w ExactParallelepiped<InWords<W>>) -> Self {
+    pub(super) fn new<W: WholeWord>(
+        whole: &'n ExactParallelepiped<N>,
+        words: &ExactParallelepiped<InWords<W>>,
+        least: i32,
+    ) -> Self {
         let ExactParallelepiped { t, e, u, h, one } = words;
         let with = |all: W, v: &[W; 3]| all | size(&[*v]);
         let lengths = t.iter().chain(e).fold(size(&[*h]), with).bits() - CUT;
+        let lengths = if lengths < least { W::BITS as i32 - 2 } else { lengths };
         let axes = u.iter().fold(*one, with).bits() - CUT;
-        let factor = |x: W, down| Both { whole: x, cut: x.nearest_over(down) };
+        let factor = |whole, x: W, down| Both { whole, cut: x.nearest_over(down) };
+        let vectors = |whole: &'n [N::Vector; 3], words: &[[W; 3]; 3], down| {
+            three(|i| vector(&whole[i], &words[i], down))
+        };
         Self {
-            t: t.each_ref().map(|v| vector(v, lengths)),
-            e: e.each_ref().map(|v| vector(v, lengths)),
-            u: u.each_ref().map(|v| vector(v, axes)),
-            h: h.map(|x| factor(x, lengths)),
-            one: factor(*one, axes),
+            t: vectors(&whole.t, t, lengths),
+            e: vectors(&whole.e, e, lengths),
+            u: vectors(&whole.u, u, axes),
+            h: three(|i| factor(whole.h[i], h[i], lengths)),
+            one: factor(whole.one, *one, axes),
         }
     }
 }
 
 #[inline(never)]
-fn vector<W: WholeWord>(v: &[W; 3], down: i32) -> Both<&[W; 3], [i32; 3]> {
-    Both { whole: v, cut: v.map(|x| x.nearest_over(down)) }
+fn vector<'n, V, W: WholeWord>(whole: &'n V, v: &[W; 3], down: i32) -> Both<&'n V, [i32; 3]> {
+    Both { whole, cut: v.map(|x| x.nearest_over(down)) }
 }
 
 impl<W: WholeWord> ExactParallelepiped<InWords<W>> {
@@ -113,16 +117,25 @@ impl<W: WholeWord> ExactParallelepiped<InWords<W>> {
     #[inline(always)]
     pub(super) fn after_cut<R: Reading>(&self) -> R::Answer {
         if W::IS_WIDE {
-            ExactParallelepiped::<InCutWords<'_, W>>::new(self).answer::<R>()
+            ExactParallelepiped::<InCut<'_, _>>::new(self, self, EXACT).answer::<R>()
         } else {
             self.answer::<R>()
         }
     }
 }
 
+impl<S: Scalar> ExactParallelepiped<InSums<S>> {
+    /// The answer, after a look at cut numbers. Where 10 bits are cut, the two units that a word may be off
+    /// are 2^-9 of a cut number.
+    pub(super) fn after_cut<R: Reading>(&self) -> R::Answer {
+        let words = self.in_leading_words();
+        ExactParallelepiped::<InCut<'_, _>>::new(self, &words, 10).answer::<R>()
+    }
+}
+
 #[cfg(all(test, feature = "fixed"))]
 mod tests {
-    use super::{Both, InCutWords, vector};
+    use super::{Both, InCut, vector};
     use crate::arithmetic::Word;
     use crate::query::triangle_obb::exact::{Factors, InWords, Term};
     use crate::random::Random;
@@ -141,15 +154,15 @@ mod tests {
             let order =
                 [(f, [&a, &b, &moved]), (-f, [&b, &c, &a]), (g, [&c, &a, &b]), (-g, [&a, &b, &c])];
             let whole = order.map(|(f, [a, b, c])| Term::<InWords<i64>>(f, a, b, c));
-            let cut = |v| vector::<i64>(v, 12);
+            let cut = |v| vector(v, v, 12);
             let factor = |whole: i64| Both { whole, cut: whole.nearest_over(12) };
             let vectors = order.map(|(_, v)| v.map(cut));
             let cut: [_; 4] = core::array::from_fn(|k| {
                 let [a, b, c] = &vectors[k];
-                Term::<InCutWords<'_, i64>>(factor(order[k].0), a, b, c)
+                Term::<InCut<'_, InWords<i64>>>(factor(order[k].0), a, b, c)
             });
             let expected = InWords::sign(&whole);
-            assert_eq!(InCutWords::sign(&cut), expected, "{order:?}");
+            assert_eq!(InCut::sign(&cut), expected, "{order:?}");
             seen[(expected as i8 + 1) as usize] += 1;
         }
         assert!(seen.iter().all(|&n| n > 4_000), "{seen:?}");

@@ -5,11 +5,11 @@
 use core::cmp::Ordering;
 use core::marker::PhantomData;
 
+use crate::arithmetic::{Bits, Parts, pick, three, turn};
 use crate::arithmetic::{Each, InRaw, Number, WholeVolume, WholeWord, cross_words, dot_words};
-use crate::arithmetic::{Parts, pick, three, turn};
 use crate::query::relation::{Reading, Relation, of_gaps};
 use crate::query::triangle_aabb::words::minus;
-use crate::robust::{ExactSum, Uncertain, Vector, add_determinant, difference, single};
+use crate::robust::{ExactSum, Linear, Uncertain, Vector, add_determinant, difference, single};
 use crate::scalar::Scalar;
 
 /// The representation of factors, and the sign of a sum of their products.
@@ -18,7 +18,22 @@ pub(in crate::query) trait Factors: Sized {
     type Vector;
 
     fn negated(x: Self::Factor) -> Self::Factor;
-    fn sign(terms: &[Term<'_, Self>]) -> Ordering;
+
+    /// The sign of the sum of such terms.
+    fn sign_of<'a>(terms: impl Iterator<Item = Term<'a, Self>> + Clone) -> Ordering
+    where
+        Self: 'a;
+
+    #[inline(never)]
+    fn sign(terms: &[Term<'_, Self>]) -> Ordering {
+        Self::sign_of(terms.iter().copied())
+    }
+
+    /// Whether a term is seen to be zero.
+    fn is_zero(term: Term<'_, Self>) -> bool {
+        let _ = term;
+        false
+    }
 }
 
 /// A factor times the determinant of three vectors.
@@ -29,15 +44,26 @@ pub(in crate::query) struct Term<'a, N: Factors>(
     pub(in crate::query) &'a N::Vector,
 );
 
+impl<N: Factors> Copy for Term<'_, N> {}
+
+impl<N: Factors> Clone for Term<'_, N> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
 /// Exact sums, for any numbers.
 pub(in crate::query) struct InSums<S>(PhantomData<S>);
 
 impl<S: Scalar> InSums<S> {
     #[inline(always)]
-    pub(in crate::query) fn sum(terms: &[Term<'_, Self>]) -> S::SeptumSum {
+    pub(in crate::query) fn sum<'a>(terms: impl IntoIterator<Item = Term<'a, Self>>) -> S::SeptumSum
+    where
+        S: 'a,
+    {
         let mut sum = S::SeptumSum::new();
         for Term(factor, a, b, c) in terms {
-            add_determinant(&mut sum, [a, b, c], Some(*factor));
+            add_determinant(&mut sum, [a, b, c], Some(factor));
         }
         sum
     }
@@ -50,8 +76,11 @@ impl<S: Scalar> Factors for InSums<S> {
     fn negated(x: Parts) -> Parts {
         x.negated()
     }
-    #[inline(never)]
-    fn sign(terms: &[Term<'_, Self>]) -> Ordering {
+    #[inline(always)]
+    fn sign_of<'a>(terms: impl Iterator<Item = Term<'a, Self>> + Clone) -> Ordering
+    where
+        Self: 'a,
+    {
         Self::sum(terms).sign()
     }
 }
@@ -66,26 +95,26 @@ impl<W: WholeWord> Factors for InWords<W> {
     fn negated(x: W) -> W {
         W::ZERO - x
     }
-    #[inline(never)]
-    fn sign(terms: &[Term<'_, Self>]) -> Ordering {
-        Self::sum_sign(terms.iter().map(|&Term(factor, a, b, c)| (factor, a, b, c)))
-    }
-}
-
-impl<W: WholeWord> InWords<W> {
-    /// The sign of the sum of such terms.
     #[inline(always)]
-    pub(super) fn sum_sign<'a>(
-        terms: impl Iterator<Item = (W, &'a [W; 3], &'a [W; 3], &'a [W; 3])>,
-    ) -> Ordering
+    fn sign_of<'a>(terms: impl Iterator<Item = Term<'a, Self>> + Clone) -> Ordering
     where
-        W: 'a,
+        Self: 'a,
     {
         let mut sum = (W::Whole::ZERO, W::Whole::ZERO);
-        for (factor, a, b, c) in terms {
+        for Term(factor, a, b, c) in terms {
             sum = dot_words(&cross_words(a, b), c).product_onto(sum, factor);
         }
         W::Whole::sign_of(sum)
+    }
+    /// Whether each product of the determinant has a factor zero, as of an edge and an axis along one
+    /// coordinate axis.
+    #[inline(never)]
+    fn is_zero(Term(_, a, b, c): Term<'_, Self>) -> bool {
+        let has = |x: &[W; 3], i: usize| *pick(x, i) != W::ZERO;
+        !(0..3).any(|i| {
+            let (i, j, k) = turn(i);
+            has(a, i) && (has(b, j) && has(c, k) || has(b, k) && has(c, j))
+        })
     }
 }
 
@@ -111,6 +140,27 @@ impl<S: Scalar> ExactParallelepiped<InSums<S>> {
             u: [u, v, w].each(|u| u.each(|x| single(x.parts()))),
             h: half.each(S::parts),
             one: S::ONE,
+        }
+    }
+
+    /// The leading bits of all numbers, those of lengths in one unit and those of axes in another. A
+    /// length is off by less than two units, and an axis by less than one.
+    pub(super) fn in_leading_words(&self) -> ExactParallelepiped<InWords<i64>> {
+        let Self { t, e, u, h, one } = self;
+        let unit = |vectors: &[Vector; 3], factors: &[Parts]| {
+            let bits = factors.iter().fold(Bits::NONE, |bits, &x| bits.with(x));
+            let all = vectors.as_flattened().as_flattened();
+            all.iter().fold(bits, |bits, &x| bits.with(x)).high - 60
+        };
+        let (length, axis) = (unit(t, h), unit(u, &[*one]));
+        let word = |x: &Linear, unit| x.iter().map(|x| x.cut_to_units(unit)).sum::<i64>();
+        let words = |v: &Vector, unit| three(|i| word(&v[i], unit));
+        ExactParallelepiped {
+            t: t.each_ref().map(|v| words(v, length)),
+            e: e.each_ref().map(|v| words(v, length)),
+            u: u.each_ref().map(|v| words(v, axis)),
+            h: h.map(|x| x.cut_to_units(length)),
+            one: one.cut_to_units(axis),
         }
     }
 }

@@ -6,8 +6,8 @@
 //! `published`. Its rounding moves the triangle, so the exact verdict uses the 13 axes of the two
 //! shapes as given (`kernel`). Fixed point, and floats that functions compute (`floats`), first transform the
 //! triangle in short words, with a bound on the error (`short`); for many triangles, the products of the axes
-//! are computed once (`prepared`). On 32-bit cores words of 64 bits follow a look at numbers cut to 18 bits
-//! (`cut`).
+//! are computed once (`prepared`). The last stages, words of 64 bits and exact sums, follow a look at numbers cut to
+//! 18 bits (`cut`).
 
 mod cut;
 mod error_bound;
@@ -27,7 +27,8 @@ use self::short::Change;
 use super::Overlaps;
 use super::relation::Reading;
 use crate::arithmetic::{
-    Arithmetic, Each, Embeds, InRaw, Number, SMALL_CODE, WholeWord, greatest, largest,
+    Arithmetic, Each, Embeds, InRaw, Number, REGISTERS_ARE_WIDE, SMALL_CODE, WholeWord, Word,
+    greatest, largest,
 };
 use crate::robust::{Predicate, Profile, Uncertain, WordKernel, noted};
 use crate::scalar::{FixedBackend, Scalar};
@@ -66,7 +67,8 @@ impl<S: Scalar, R: Reading> Predicate<S> for Disjoint<'_, S, R> {
 
     const PROFILE: Profile = Profile::CUT;
 
-    /// First in short words with a bound; then, on narrow registers, in words that hold all.
+    /// First in short words with a bound; then in words that hold all: on narrow registers, and of 64-bit
+    /// fixed point shapes on a grid.
     ///
     /// If the triangle meets the shrunk box, it has a point in the interior of the true box,
     /// because the bound exceeds the error. The triangle's interior has points arbitrarily near
@@ -80,12 +82,18 @@ impl<S: Scalar, R: Reading> Predicate<S> for Disjoint<'_, S, R> {
             let framed = self.framed(Change::Grown, Self::vertices_from_center);
             return Some(R::clear(framed.is_none_or(|framed| framed.are_certainly_disjoint())));
         }
-        noted(self.in_short_words()).map(R::clear).or_else(|| S::in_machine_words(self))
+        let answer = noted(self.in_short_words()).map(R::clear);
+        if REGISTERS_ARE_WIDE && !SMALL_CODE && S::Raw::BITS == 64 {
+            let one = || S::one_in::<i64>().filter(|one| one.has_volumes());
+            return answer.or_else(|| self.in_near_words(one()?));
+        }
+        answer.or_else(|| S::in_machine_words(self))
     }
 
     fn exact(&self) -> R::Answer {
-        ExactParallelepiped::<InSums<S>>::new(self.triangle.points(), self.obb.numbers())
-            .answer::<R>()
+        let exact =
+            ExactParallelepiped::<InSums<S>>::new(self.triangle.points(), self.obb.numbers());
+        if REGISTERS_ARE_WIDE && !SMALL_CODE { exact.after_cut::<R>() } else { exact.answer::<R>() }
     }
 }
 
