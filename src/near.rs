@@ -68,8 +68,8 @@
 //! | mesh, moving box (`Moving`) | fixed point | `first_contact`, `first_contact_where`, `last_free` of its tree, in integers of 64 bits |
 //! | triangle, sphere or capsule | fixed point | `overlaps`, in integers of up to 128 bits |
 //!
-//! The answers are bit for bit the answers of the ordinary shapes, except that `may_overlap` of a ray or a
-//! segment and an oriented box is exact.
+//! The answers are bit for bit the answers of the ordinary shapes, except that `may_overlap` is exact of a ray
+//! or a segment and an oriented box, and in `f32`.
 
 #[cfg(feature = "fixed")]
 pub use crate::query::Moving;

@@ -19,8 +19,8 @@
 //! # Ok::<(), septum::ShapeError>(())
 //! ```
 //!
-//! Nothing here panics. In fixed point, products lose their last bits, and sums wrap around outside
-//! the range. The exact queries do neither.
+//! Nothing here panics. In fixed point, products lose their last bits, and sums and quotients wrap around
+//! outside the range, as a ratio of one does in a type without one. The exact queries do neither.
 //!
 //! | module | question | choose it |
 //! | --- | --- | --- |

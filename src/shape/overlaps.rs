@@ -30,7 +30,8 @@ pub trait Overlaps<Other> {
 
     /// May the two shapes have a point in common? Never `false` if they have.
     ///
-    /// It costs no more than [`overlaps`](Self::overlaps). A pair without a cheaper test answers by
+    /// It costs no more than [`overlaps`](Self::overlaps), but for oriented boxes where functions compute
+    /// floats. A pair without a cheaper test answers by
     /// the exact one.
     #[must_use]
     #[doc(alias = "intersects")]
@@ -62,7 +63,8 @@ macro_rules! overlaps_methods {
 
             /// May the two shapes have a point in common? Never `false` if they have.
             ///
-            /// It never panics, and costs no more than [`overlaps`](Self::overlaps). Each
+            /// It never panics, and costs no more than [`overlaps`](Self::overlaps), but for oriented
+            /// boxes where functions compute floats. Each
             /// implementation of [`Overlaps`](crate::Overlaps) says when its pair answers `true`
             /// for disjoint shapes.
             #[doc(alias = "intersects")]

@@ -146,7 +146,8 @@ pub trait Sweep<Other> {
     /// also takes up to 100 multiplications, each with an error bound, a root and a division of
     /// integers; past a triangle up to six times as many, and up to six roots. In `f64`, in fixed
     /// point on 32-bit cores and of 64 bits, and within rounding of a number, these are exact
-    /// integers. Other shapes that meet take one of the axes again in `f64`, and two divisions. A
+    /// integers. Two boxes that meet take three axes again, in `f64` in integers of up to 256 bits, with three
+    /// divisions. A triangle and a box take one of the axes again in `f64`, and two divisions. A
     /// result in `f64` takes that axis in 106 digits, and one in fixed point of 64 bits a division
     /// of integers. Where two axes close at about the same time, and on 32-bit cores, every axis with a gap is
     /// computed, each with a division; `f32` with an FPU selects the last axis there too. Where functions

@@ -126,7 +126,7 @@ impl<Frac: LeEqU32> Obb<FixedI32<Frac>> {
     /// # Errors
     /// [`ShapeError::NotNear`] if the centre is below −2¹⁷ units in the last place, or 2¹⁷ or more, on
     /// some axis, or an axis or a half-extent 2¹⁹. In a type of more than 18 fraction bits a unit
-    /// vector is longer than that.
+    /// vector is longer than that. In a type of 31 or 32 fraction bits no oriented box is near.
     pub const fn near(self) -> Result<Near<Self>, ShapeError> {
         let [u, v, w] = &self.axes;
         let is_near = all_fit(&self.center, POSITION)
