@@ -20,6 +20,12 @@
 //! and when boxes are added, removed or teleported. In a world in which all boxes move, each by a
 //! tenth of its size a tick, that is every 10 to 20 ticks.
 //!
+//! # A body as large as the world
+//!
+//! The bounds of nodes lie on a grid of 65,534 steps over all boxes. A ground plane that is thousands of
+//! times as large as the other boxes makes the steps larger than these, and each box is then tested with
+//! each other. Keep such a body out of the tree, and test it alone.
+//!
 //! ```
 //! use septum::Aabb;
 //! use septum::broad_phase::BoxTree;
