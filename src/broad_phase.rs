@@ -22,9 +22,9 @@
 //!
 //! # A body as large as the world
 //!
-//! The bounds of nodes lie on a grid of 65,534 steps over all boxes. A ground plane that is thousands of
-//! times as large as the other boxes makes the steps larger than these, and each box is then tested with
-//! each other. Keep such a body out of the tree, and test it alone.
+//! The bounds of nodes lie on a grid of 65,534 steps over all boxes. If a ground plane makes one step as
+//! large as the other boxes, nodes no longer tell these apart, and each is tested with each other. Keep
+//! such a body out of the tree, and test it alone.
 //!
 //! ```
 //! use septum::Aabb;

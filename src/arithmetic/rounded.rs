@@ -12,7 +12,7 @@ pub(crate) trait RoundedOps: Copy + PartialOrd + 'static {
     const PLAIN_ZERO: Self;
     /// One, or the nearest number that the type holds.
     fn plain_one() -> Self;
-    /// One less both numbers, also where the type does not hold one.
+    /// 1 − u − v, also where the type does not hold one.
     fn rest_of_one(u: Self, v: Self) -> Self;
     /// The sum.
     fn plain_add(self, other: Self) -> Self;

@@ -188,8 +188,8 @@ impl<T: Enclosed> Surd<T> {
         };
         let (mut low, mut high) = (floor(soft), floor(soft.above()));
         if low == high {
-            // Else the lower bound of the root is a number of the scalar.
-            // Beyond the greatest number it is above as well.
+            // So is a root beyond the greatest float. Else the lower bound of the root is a number of
+            // the scalar.
             let is_above = floor(soft.below()) == low || !S::at_most(soft).is_finite();
             if is_above || soft.is_exact() || !with_equality {
                 return Some((low, !is_above && soft.is_exact()));

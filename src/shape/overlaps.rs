@@ -31,8 +31,7 @@ pub trait Overlaps<Other> {
     /// May the two shapes have a point in common? Never `false` if they have.
     ///
     /// It costs no more than [`overlaps`](Self::overlaps), but for oriented boxes where functions compute
-    /// floats. A pair without a cheaper test answers by
-    /// the exact one.
+    /// floats. A pair without a cheaper test answers by the exact one.
     #[must_use]
     #[doc(alias = "intersects")]
     #[inline]
@@ -64,9 +63,8 @@ macro_rules! overlaps_methods {
             /// May the two shapes have a point in common? Never `false` if they have.
             ///
             /// It never panics, and costs no more than [`overlaps`](Self::overlaps), but for oriented
-            /// boxes where functions compute floats. Each
-            /// implementation of [`Overlaps`](crate::Overlaps) says when its pair answers `true`
-            /// for disjoint shapes.
+            /// boxes where functions compute floats. Each implementation of
+            /// [`Overlaps`](crate::Overlaps) says when its pair answers `true` for disjoint shapes.
             #[doc(alias = "intersects")]
             #[must_use]
             #[inline]

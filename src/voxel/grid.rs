@@ -55,9 +55,9 @@ impl<S: Scalar> Grid<S> {
     /// [`GridError::NotFinite`] if a number is NaN or infinite,
     /// [`GridError::CellNotPositive`], [`GridError::NoVoxels`] if an axis has none,
     /// [`GridError::TooManyVoxels`] if an axis has more than [`MOST`](Self::MOST),
-    /// [`GridError::OutOfRange`] if the scalar does not hold the greatest corner, or in floats
-    /// |origin| + resolution·cell, and in floats [`GridError::CellTooSmall`] if a cell is less than 8 roundoffs of the distance
-    /// |origin| + resolution·cell, for then two planes might round to one number.
+    /// [`GridError::OutOfRange`] if the scalar does not hold the greatest corner, or in floats the
+    /// distance |origin| + resolution·cell, and in floats [`GridError::CellTooSmall`] if a cell is
+    /// less than 8 roundoffs of that distance, for then two planes might round to one number.
     ///
     /// *Panics*: never.
     pub fn new(

@@ -183,10 +183,10 @@ impl<S: Scalar> Overlaps<Aabb<S>> for Ray<S> {
     ///
     /// *Range*: all finite floats and all fixed-point values. The fast stage serves floats if
     /// coordinate differences, the direction and the ends of the range are zero or between 2⁻³² and
-    /// 2⁴⁰ (`f32`) or 2⁻³²⁰ and 2³²⁰ (`f64`). It serves fixed point if coordinates,
-    /// the direction and the ends of the range are below 2²⁸ (32 bits) or 2⁶⁰ (64 bits) units in the last
-    /// place, and 8 and 16 bits always. Outside, and
-    /// for floats within rounding of contact, wider numbers decide, up to a thousand times slower.
+    /// 2⁴⁰ (`f32`) or 2⁻³²⁰ and 2³²⁰ (`f64`). It serves fixed point if coordinates, the
+    /// direction and the ends of the range are below 2²⁸ (32 bits) or 2⁶⁰ (64 bits) units in the last
+    /// place, and 8 and 16 bits always. Outside, and for floats within rounding of contact, wider numbers
+    /// decide, up to a thousand times slower.
     ///
     /// *Panics*: never. *Cost*: 12 multiplications, 6 differences, no division; up to 6
     /// multiplications more for a range other than t ≥ 0.

@@ -80,12 +80,11 @@ impl<S: Scalar> Ray<S> {
     ///
     /// *Cost*: 24 multiplications and 3 divisions. On a 64-bit machine a hit costs the same as a
     /// miss in scalars of up to 32 bits. In `f64` a hit takes 42 more multiplications, because
-    /// products of `f64` are not accurate enough for its numbers; farther away than some 2¹³ lengths of the
-    /// edges it takes exact integers. On 32-bit cores a hit costs more
-    /// than a miss: on a Cortex-M4F 8 times as much in `f32`, whose t, u and v need integers
-    /// (`docs/target.csv`), and 50 times as much if a coordinate is no multiple of 2⁻²⁸ of the
-    /// greatest. A ray exactly through an edge takes integers, unless the coordinates are short.
-    /// [`is_hit`](Self::is_hit) saves the divisions, and
+    /// products of `f64` are not accurate enough for its numbers; farther away than some 2¹³ lengths of
+    /// the edges it takes exact integers. On 32-bit cores a hit costs more than a miss: on a
+    /// Cortex-M4F 8 times as much in `f32`, whose t, u and v need integers (`docs/target.csv`), and 50
+    /// times as much if a coordinate is no multiple of 2⁻²⁸ of the greatest. A ray exactly through an
+    /// edge takes integers, unless the coordinates are short. [`is_hit`](Self::is_hit) saves the divisions, and
     /// [`lanes::Triangles`](crate::lanes::Triangles) tests several triangles at once.
     ///
     /// *Source*: Möller and Trumbore 1997; the sign test, the error bound and the exact stages are

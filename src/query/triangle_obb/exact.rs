@@ -5,8 +5,10 @@
 use core::cmp::Ordering;
 use core::marker::PhantomData;
 
-use crate::arithmetic::{Bits, Parts, pick, three, turn};
-use crate::arithmetic::{Each, InRaw, Number, WholeVolume, WholeWord, cross_words, dot_words};
+use crate::arithmetic::{
+    Bits, Each, InRaw, Number, Parts, WholeVolume, WholeWord, cross_words, dot_words, pick, three,
+    turn,
+};
 use crate::query::relation::{Reading, Relation, of_gaps};
 use crate::query::triangle_aabb::words::minus;
 use crate::robust::{ExactSum, Linear, Uncertain, Vector, add_determinant, difference, single};
@@ -106,6 +108,7 @@ impl<W: WholeWord> Factors for InWords<W> {
         }
         W::Whole::sign_of(sum)
     }
+
     /// Whether each product of the determinant has a factor zero, as of an edge and an axis along one
     /// coordinate axis.
     #[inline(never)]

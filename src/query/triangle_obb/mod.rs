@@ -237,10 +237,11 @@ impl<S: Scalar> Overlaps<Obb<S>> for Triangle<S> {
     /// fixed point wherever the shapes are. It leaves a doubt within rounding of contact. In fixed
     /// point that is about 2⁻¹⁴ of the shapes' size, and boxes thinner than that are in doubt if
     /// they are met; axes of very different lengths, or nearly in one plane, leave more. Then wider
-    /// numbers decide: in fixed point of up to 30 fraction bits first 128 bits, for coordinates
-    /// within 2³⁰ units in the last place. At last exact sums decide, up to a thousand times
-    /// slower. Where registers have 32 bits, fixed point of up to 32 bits takes words instead, and
-    /// no sums; words of 64 bits only for axes that numbers of 18 bits leave in doubt.
+    /// numbers decide: in 64-bit fixed point words, for shapes of up to 34 bits on a grid; in fixed
+    /// point of up to 30 fraction bits first 128 bits, for coordinates within 2³⁰ units in the last
+    /// place. At last exact sums decide, up to a thousand times slower. Where registers have 32 bits,
+    /// fixed point of up to 32 bits takes words instead, and no sums; words of 64 bits only for axes
+    /// that numbers of 18 bits leave in doubt.
     ///
     /// *Panics*: never.
     ///

@@ -54,9 +54,9 @@ pub struct SphereContact<S, P> {
     /// face, 0 between the two. Three sides are a corner, two an edge, and one a face.
     ///
     /// If several parts of a triangle are met at the same number of the scalar, an edge comes before
-    /// a vertex, and the lower number first. Of a box, the sides are those of the
-    /// sphere's centre at that moment. A centre exactly between two sides has the one that it comes from, or 0
-    /// if it does not move on that axis.
+    /// a vertex, and the lower number first. Of a box, the sides are those of the sphere's centre at
+    /// that moment. A centre exactly between two sides has the one that it comes from, or 0 if it does not
+    /// move on that axis.
     pub part: Option<P>,
 }
 
