@@ -42,10 +42,12 @@ pub(super) fn compare_quotient<F: Float>(
         + clearance * F::ROUNDOFF * product.magnitude();
     let gap = num - product;
     if gap.magnitude() > error && product.magnitude() < infinity {
-        gap.partial_cmp(&F::ZERO)
-    } else {
-        None
+        return gap.partial_cmp(&F::ZERO);
     }
+    // A product beyond the type, as of the greatest number, exceeds a numerator of half its greatest.
+    let least = t.magnitude() * (den.magnitude() - clearance * den_error);
+    let is_beyond = least == infinity && clearance * (num.magnitude() + num_error) < infinity;
+    if is_beyond { F::ZERO.partial_cmp(&product) } else { None }
 }
 
 macro_rules! embeds {
@@ -166,3 +168,26 @@ embeds! { f64 => f64, true, None, |_num, _den| [0.0; 3], nearest: |between| {
     let is_normal = (low.abs() > f64::MIN_POSITIVE) & (low.abs() < f64::MAX);
     (is_normal & (low == high)).then_some(low)
 } }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ends_beyond_every_quotient_are_certain() {
+        let compare =
+            |num, den, errors, t| compare_quotient::<f64>(num, den, errors, t, f64::INFINITY);
+        for t in [f64::MAX, 1e300, -f64::MAX] {
+            for den in [3e9, -3e9] {
+                let expected =
+                    (t * den < 0.0).then_some(Ordering::Greater).or(Some(Ordering::Less));
+                for num in [0.0, 7.5, -7.5, 1e300] {
+                    assert_eq!(compare(num, den, [1.0; 2], t), expected, "{num} {den} {t}");
+                }
+            }
+        }
+        // The divisor may be small or zero, and the numerator beyond.
+        assert_eq!(compare(7.5, 3e9, [1.0, 3e9], f64::MAX), None);
+        assert_eq!(compare(f64::MAX, 3e9, [1.0; 2], f64::MAX), None);
+    }
+}

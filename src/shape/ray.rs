@@ -49,8 +49,8 @@ impl<S: Scalar> Ray<S> {
 
     /// The same ray for t from `t_min` to `t_max`, both included.
     ///
-    /// `None` leaves an end unbounded: `with_range(None, None)` is the whole line. An end at the
-    /// greatest number is slower: its products are beyond floats and short integers.
+    /// `None` leaves an end unbounded: `with_range(None, None)` is the whole line. In fixed point an
+    /// end at the greatest number is slower: its products are beyond short integers.
     ///
     /// # Errors
     /// [`ShapeError::NotFinite`] if an end is NaN or infinite, [`ShapeError::EmptyRange`] if

@@ -42,6 +42,35 @@ pub(super) struct Sizes<P> {
     pub(super) half: P,
 }
 
+impl<P: Number + Mul<Output = P>> Sizes<P> {
+    /// A bound on the products of the axes with the vector to the line and with the half-extents.
+    #[inline(always)]
+    fn near(&self, one: P) -> P {
+        greatest(self.way * one, self.half * self.axes)
+    }
+
+    /// The ends of the range, without those so far beyond the box that the line does not come back
+    /// to it: products with the greatest number are beyond floats.
+    ///
+    /// On one coordinate axis the point at t is at least |t|·D − |m| from the centre, and the box
+    /// reaches at most 3·h·A. Both together are below four times [`near`](Self::near), and eight
+    /// covers the roundings.
+    #[inline(always)]
+    pub(super) fn without_far(&self, ends: [Option<P>; 2], one: P) -> [Option<P>; 2] {
+        let two = self.near(one) + self.near(one);
+        let eight = two + two + (two + two);
+        if self.direction * self.ends > eight {
+            let [from, to] = ends;
+            let is_near = |t: &P| self.direction * t.magnitude() <= eight;
+            return [
+                from.filter(|t| *t >= P::ZERO || is_near(t)),
+                to.filter(|t| *t <= P::ZERO || is_near(t)),
+            ];
+        }
+        ends
+    }
+}
+
 /// The bounds; `None` outside their range, or if products may not fit.
 #[inline(always)]
 pub(super) fn error_bound<N: Arithmetic>(
@@ -55,7 +84,7 @@ pub(super) fn error_bound<N: Arithmetic>(
         let none = ErrorBound { direction: zero, face: zero, line: zero };
         return all.in_range().then_some(none);
     }
-    let size = greatest(way * one, half * axes);
+    let size = sizes.near(one);
     let far = greatest(size, direction * ends);
     let two = one + one;
     // Axes are unit vectors, or nearly. Longer ones go to the last stage.

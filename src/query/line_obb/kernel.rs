@@ -21,7 +21,7 @@
 use core::ops::Mul;
 
 use super::error_bound::{ErrorBound, Sizes};
-use crate::arithmetic::{Number, cross3, dot3, greatest, largest, three, turn};
+use crate::arithmetic::{Each, Number, cross3, dot3, greatest, largest, three, turn};
 use crate::query::triangle_obb::lie_along_one_axis;
 use crate::robust::Uncertain;
 
@@ -41,15 +41,21 @@ impl<P: Number> Operands<P> {
     /// The greatest magnitudes of the operands.
     #[inline(always)]
     pub(super) fn sizes(&self) -> Sizes<P> {
-        let farthest = |t: &Option<P>| t.map_or(P::ZERO, |t| t.magnitude());
         Sizes {
             axes: self.u.iter().fold(self.one, |most, u| greatest(most, largest(u))),
             way: largest(&self.m),
             direction: largest(&self.d),
-            ends: greatest(farthest(&self.ends[0]), farthest(&self.ends[1])),
+            ends: farthest(self.ends),
             half: largest(&self.h),
         }
     }
+}
+
+/// The greatest magnitude of an end.
+#[inline(always)]
+pub(super) fn farthest<P: Number>(ends: [Option<P>; 2]) -> P {
+    let [from, to] = ends.each(|t| t.map_or(P::ZERO, |t| t.magnitude()));
+    greatest(from, to)
 }
 
 /// Whether one of the six axes separates. `looks_twice` leaves out products with the direction that

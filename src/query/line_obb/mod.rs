@@ -106,7 +106,11 @@ impl<S: Scalar> Disjoint<'_, S> {
             },
         };
         let u = [operands::<N>(u), operands::<N>(v), operands::<N>(w)];
-        Some(Operands { m: way::<N>(p, c), d, ends, u, h: operands::<N>(h), one })
+        let s = Operands { m: way::<N>(p, c), d, ends, u, h: operands::<N>(h), one };
+        if N::CERTAIN {
+            return Some(s);
+        }
+        Some(Operands { ends: s.sizes().without_far(s.ends, one), ..s })
     }
 
     /// The answer. Floats that functions compute begin with cut numbers.

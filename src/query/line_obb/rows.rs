@@ -2,7 +2,7 @@
 //! operations as the kernel of single numbers, so its answers are the same.
 
 use super::error_bound::{ErrorBound, Sizes, error_bound};
-use super::kernel::{Operands, any_axis};
+use super::kernel::{Operands, any_axis, farthest};
 use super::{Disjoint, Line};
 use crate::arithmetic::{
     Filtered, Float, InFloat, Number, Quad, THREE, cross3, greatest, three_in_float,
@@ -47,7 +47,7 @@ pub(super) fn is_separated<S: Scalar + InFloat<F>, F: Float>(
 impl<F: Float> Operands<F> {
     #[inline(always)]
     fn is_separated<S: InFloat<F>, Q: Quad<Lane = F>>(&self) -> Option<bool> {
-        let Self { m, d, ends: [from, to], .. } = *self;
+        let Self { m, d, .. } = *self;
         let (u, h) = (Vectors::<Q>::new(&self.u), Q::of_three(self.h));
         let axes = u.largest().most();
         if S::LIMIT.is_some_and(|limit| axes >= limit * S::PLACE) {
@@ -55,6 +55,8 @@ impl<F: Float> Operands<F> {
         }
         let (zero, one) = (F::ZERO, F::from(1));
         let sizes = Sizes { axes: greatest(axes, one), ..self.sizes() };
+        let [from, to] = sizes.without_far(self.ends, one);
+        let sizes = Sizes { ends: farthest([from, to]), ..sizes };
         let error = error_bound::<Filtered<F>>(one, &sizes)?;
 
         let w = u.normals();
@@ -161,5 +163,29 @@ mod tests {
             }
         }
         assert!(counts[1] > 1_000 && counts[2] > 1_000 && counts[0] > 50, "{counts:?}");
+    }
+
+    /// Ends at all distances: those far beyond the box count as none.
+    #[test]
+    fn far_ends_leave_no_doubt() {
+        let mut numbers = Numbers(12);
+        let mut in_doubt = 0;
+        for n in 0..4_000 {
+            let (obb, p, q) = (numbers.obb(), numbers.point(), numbers.point());
+            let end = if n % 2 == 0 { 2.0_f32.powi(n / 2 % 8 - 4) } else { f32::MAX / (n as f32) };
+            let ranges = [(Some(0.0), Some(end)), (Some(-end), None), (Some(end), None)];
+            let (from, to) = ranges[n as usize % 3];
+            let Ok(ray) = Ray::new(p, q) else { continue };
+            let ray = ray.with_range(from, to).unwrap();
+            let question = Disjoint { line: Line::Ray(&ray), obb: &obb };
+            let found = is_separated::<f32, f32>(&question);
+            assert_eq!(found, question.filter::<Filtered<f32>>(), "{ray:?} {obb:?}");
+            let wide = is_separated::<f32, f64>(&question);
+            for found in [found, wide].into_iter().flatten() {
+                assert_eq!(found, question.exact(), "{ray:?} {obb:?}");
+            }
+            in_doubt += u32::from(found.is_none() && end > 1e6 && n % 3 != 2);
+        }
+        assert!(in_doubt < 20, "{in_doubt}");
     }
 }
