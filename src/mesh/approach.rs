@@ -7,7 +7,7 @@
 //! [`descent`](super::descent). On each axis its place o is shifted by 8u·(2¹⁶ + |o|) toward the box,
 //! with u = 2⁻²⁴, which exceeds what o and its difference from a corner are rounded by. So the gap
 //! is not above the true gap. It is multiplied by the step of the axis over the greatest step, a
-//! power of two. The square and the sum err by less than 8u of themselves, and the limit is 16u of
+//! power of two; of a flat mesh, by a greater one. The square and the sum err by less than 8u of themselves, and the limit is 16u of
 //! itself above the distance.
 
 use core::cmp::Ordering;
@@ -78,15 +78,20 @@ impl<S: Scalar> InFloats<S> {
         const SHIFT: f64 = 8.0 / (1 << 24) as f64;
         const POINTS: f64 = (1 << 16) as f64;
         const FAR: f64 = (1_u64 << 60) as f64;
-        const FARTHEST: f64 = (1_u128 << 120) as f64;
+        const FINEST: f64 = 1.0 / (1_u64 << 40) as f64;
         let steps = three(|i| S::steps_per_unit(&grid.0[i]));
         let per_unit = least(least(steps[0], steps[1]), steps[2]);
         let (mut low, mut high, mut step) = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3], [0.0; 3]);
         for i in 0..3 {
-            let (o, ratio) = (p[i].place(&grid.0[i]), per_unit / steps[i]);
+            let (mut o, mut ratio) = (p[i].place(&grid.0[i]), per_unit / steps[i]);
+            let mut shift = 0.0;
+            if ratio < FINEST {
+                // As of a flat mesh. In longer steps all planes lie within one.
+                (o, ratio, shift) = (o * (ratio / FINEST), FINEST, POINTS);
+            }
             // An axis on which the point is farther out excludes no box.
-            if o.abs() <= FARTHEST && o.abs() * ratio <= FAR {
-                let shift = SHIFT * (POINTS + o.abs());
+            if o.abs() * ratio <= FAR {
+                shift += SHIFT * (POINTS + o.abs());
                 (low[i], high[i]) = ((o + shift) as f32, (o - shift) as f32);
                 step[i] = ratio as f32;
             }
@@ -238,6 +243,24 @@ impl<S: Scalar> Approach<S> for InIntegers<S> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// As above a floor whose steps are tiny.
+    #[test]
+    fn a_flat_axis_counts() {
+        for z in [0.0, 1e-300, 6e-17, 0.1, 100.0] {
+            let grid = Grid::between([[0.0, 0.0, z], [128.0, 128.0, z]]);
+            let cells = |at: f64| {
+                let mut node = Node::EMPTY;
+                node.set(0, grid.cell([[at, at, z], [at + 1.0, at + 1.0, z]]));
+                node
+            };
+            let within =
+                |distance: f64| InFloats::<f64>::new(&grid, [64.0, 64.0, 105.0], Some(distance));
+            assert_eq!(within(106.0 - z).meets(&cells(64.0)).mask & 1, 1, "{z}");
+            assert_eq!(within(106.0 - z).meets(&cells(100.0)).mask & 1, 0, "{z}");
+            assert_eq!(within(104.0 - z).meets(&cells(64.0)).mask & 1, 0, "{z}");
+        }
+    }
 
     #[test]
     fn keys_keep_order() {

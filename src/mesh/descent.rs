@@ -18,9 +18,13 @@
 //! of second order are far below the eighth u.
 //!
 //! For |o| ≤ 2⁶⁰ and |d| ≥ 2⁻⁶⁴ nothing overflows, and underflow does no harm: a product is zero,
-//! or between 2⁻⁶⁰ and 2¹²⁵. An axis with a smaller d excludes no box, and an origin farther out
-//! switches the grid off. If d is zero, r̂ is 2¹⁰⁰. The shift of o is at least 2⁻⁵, so the origin
-//! lies clear of both planes, at t beyond ±2⁹⁴, or outside both.
+//! or between 2⁻⁶⁰ and 2¹²⁵. If d is smaller, r̂ is 2¹⁰⁰, and the shift also has the way that the ray
+//! goes on this axis. The shift of o is at least 2⁻⁵, so the origin lies clear of both planes, at t
+//! beyond ±2⁹⁴, or outside both.
+//!
+//! An axis on which the origin is farther out excludes no box. Nearly always the mesh is flat there,
+//! and its steps are tiny: from any height above, those of a floor at z = 0 are too many. The other
+//! axes serve without it, and m is the greatest of theirs.
 
 use core::cmp::Ordering;
 
@@ -199,7 +203,7 @@ pub(super) struct GridRay {
     /// The range of t, in units of 1/m.
     from: f32,
     to: f32,
-    /// m, or zero if the ray is treated as meeting every box.
+    /// m, or zero if t does not matter.
     scale: f64,
 }
 
@@ -219,6 +223,18 @@ impl GridAxis {
     /// An axis that excludes no box.
     const OPEN: Self =
         Self { near: f32::INFINITY, far: f32::NEG_INFINITY, inverse: 1.0, is_falling: false };
+
+    /// An axis on which a box between two places moves, given 1/d and the way beside it.
+    #[inline(always)]
+    fn new(min: f64, max: f64, moved: f64, inverse: f32) -> Self {
+        const SHIFT: f64 = 8.0 / (1 << 24) as f64;
+        const POINTS: f64 = (1 << 16) as f64;
+        let shift = |o: f64| SHIFT * (POINTS + o.abs()) + moved;
+        let is_falling = inverse < 0.0;
+        let (low, high) = ((max + shift(max)) as f32, (min - shift(min)) as f32);
+        let (near, far) = if is_falling { (high, low) } else { (low, high) };
+        Self { near, far, inverse, is_falling }
+    }
 }
 
 impl GridRay {
@@ -246,17 +262,20 @@ impl GridRay {
         const FAR: f64 = (1_u64 << 60) as f64;
         const SHORT: f64 = 1.0 / (1_u128 << 64) as f64;
         const UPRIGHT: f32 = (1_u128 << 100) as f32;
-        const SHIFT: f64 = 8.0 / (1 << 24) as f64;
-        const POINTS: f64 = (1 << 16) as f64;
-        // A longer or shorter direction is treated as meeting every box: 1/m and t/m might
-        // overflow.
+        // Beyond, 1/m and t/m might overflow.
         const LEAST_SCALE: f64 = exp2(-960);
         const MOST_SCALE: f64 = exp2(960);
 
-        let scale = d.iter().fold(0.0, |m, d| greatest(m, d.abs()));
-        let is_near = min.iter().chain(&max).all(|o| o.abs() <= FAR);
-        if !(is_near && scale > LEAST_SCALE && scale < MOST_SCALE) {
-            return Self::EVERYWHERE;
+        // No number is NaN.
+        let is_near =
+            three(|i| min[i].abs() <= FAR && max[i].abs() <= FAR && d[i].abs() < MOST_SCALE);
+        let scale = (0..3).fold(0.0, |m, i| if is_near[i] { greatest(m, d[i].abs()) } else { m });
+        if scale <= LEAST_SCALE {
+            // On axes on which the ray stands still, it is in a box at every t or at none.
+            let stands = |i: usize| is_near[i] && is_zero[i];
+            let upright = |i: usize| GridAxis::new(min[i], max[i], 0.0, UPRIGHT);
+            let axes = three(|i| if stands(i) { upright(i) } else { GridAxis::OPEN });
+            return Self { axes, from: 0.0, to: 0.0, scale: 0.0 };
         }
         let axis = |i: usize| {
             let unit = d[i] / scale;
@@ -264,16 +283,13 @@ impl GridRay {
             // origin. Until then a component this short moves by less than an eighth of a step.
             let is_short = unit.abs() < SHORT;
             let moved = if is_short && !is_zero[i] { 2.0 * SHORT * FAR } else { 0.0 };
-            let shift = |o: f64| SHIFT * (POINTS + o.abs()) + moved;
             let inverse = if is_short { UPRIGHT } else { (1.0 / unit) as f32 };
-            let is_falling = inverse < 0.0;
-            let (low, high) = ((max[i] + shift(max[i])) as f32, (min[i] - shift(min[i])) as f32);
-            let (near, far) = if is_falling { (high, low) } else { (low, high) };
-            GridAxis { near, far, inverse, is_falling }
+            GridAxis::new(min[i], max[i], moved, inverse)
         };
+        let axes = three(|i| if is_near[i] { axis(i) } else { GridAxis::OPEN });
         let from = from.map_or(f32::NEG_INFINITY, |t| -rounded_up(-(t * scale)));
         let to = to.map_or(f32::INFINITY, |t| rounded_up(t * scale));
-        Self { axes: [axis(0), axis(1), axis(2)], from, to, scale }
+        Self { axes, from, to, scale }
     }
 
     #[inline(always)]
@@ -344,6 +360,36 @@ mod tests {
             let is_zero = [short == 0.0, short == 0.0, false];
             let ray = GridRay::between(origin, [short, short, 1.0], is_zero, [None; 2]);
             assert_eq!(ray.meets(&node).mask, 2, "{short}");
+        }
+    }
+
+    /// As of a ray down to a floor whose steps are tiny, or of a body at rest.
+    #[test]
+    fn an_axis_of_many_steps_leaves_the_others() {
+        let (low, high) = ([98, 99, 101, u16::MAX], [99, 102, 103, 0]);
+        let node = Node([low, low, [0; 4], high, high, [9; 4]]);
+        for z in [f64::INFINITY, -f64::INFINITY, exp2(700), exp2(61), -exp2(61)] {
+            for d in [-exp2(999), f64::INFINITY, f64::NAN, 1.0, 0.0] {
+                let at = [[100.0, 100.0, z]; 2];
+                let down = GridRay::between(at, [0.0, 0.0, d], [true, true, d == 0.0], [None; 2]);
+                assert_eq!(down.meets(&node).mask, 2, "{z} {d}");
+                let past = [[100.0, 90.0, z]; 2];
+                let along = GridRay::between(
+                    past,
+                    [0.0, 1.0, d],
+                    [true, false, d == 0.0],
+                    [None, Some(5.0)],
+                );
+                assert_eq!(along.meets(&node).mask, 0, "{z} {d}");
+                let to = [None, Some(9.5)];
+                let along = GridRay::between(past, [0.0, 1.0, d], [true, false, d == 0.0], to);
+                assert_eq!(along.meets(&node).mask, 2, "{z} {d}");
+                // A component that may not be zero opens its axis.
+                let down = GridRay::between(at, [0.0, 0.0, d], [true, false, d == 0.0], [None; 2]);
+                assert_eq!(down.meets(&node).mask, 2, "{z} {d}");
+                let down = GridRay::between(at, [0.0, 0.0, d], [false, false, false], [None; 2]);
+                assert_eq!(down.meets(&node).mask, 15, "{z} {d}");
+            }
         }
     }
 

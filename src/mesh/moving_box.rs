@@ -37,14 +37,12 @@ impl<'a, S: Scalar, F: Fn(&Motion<S>, &Aabb<S>) -> Option<S>> Moving<'a, S, F> {
         let at_rest = if from == to { aabb.corners() } else { None };
         let cell = at_rest.map_or(Cell::ALL, |corners| grid.cell(corners));
         // A choice known at compile time, so that machines without floats link none.
-        let places = if S::IS_FAST { places(grid, aabb) } else { None };
-        let fast = match places {
-            Some(places) => {
-                let d = three(|i| to[i].steps_from(from[i], &grid.0[i]));
-                let is_zero = three(|i| from[i] == to[i]);
-                GridRay::between(places, d, is_zero, [Some(0.0), Some(1.0)])
-            }
-            None => GridRay::EVERYWHERE,
+        let fast = if S::IS_FAST {
+            let d = three(|i| to[i].steps_from(from[i], &grid.0[i]));
+            let is_zero = three(|i| from[i] == to[i]);
+            GridRay::between(places(grid, aabb), d, is_zero, [Some(0.0), Some(1.0)])
+        } else {
+            GridRay::EVERYWHERE
         };
         Self { meets_at, motion, grid, fast, cell, end: None }
     }
@@ -77,21 +75,23 @@ impl<'a, S: Scalar, F: Fn(&Motion<S>, &Aabb<S>) -> Option<S>> Moving<'a, S, F> {
 }
 
 /// The corners of a box, in steps of a grid. They may lie between the numbers of the scalar, or
-/// beyond them. Returns `None` for a box given by its centre if the centre or a half-extent is so
-/// long that their sum is less accurate than a coordinate.
-fn places<S: Scalar>(grid: &Grid<S>, aabb: &Aabb<S>) -> Option<[[f64; 3]; 2]> {
+/// beyond them. For a box given by its centre they are infinite on axes with so many steps that the
+/// sum of centre and half-extent might be off by a part of one.
+fn places<S: Scalar>(grid: &Grid<S>, aabb: &Aabb<S>) -> [[f64; 3]; 2] {
     const LONG: f64 = (1_u64 << 40) as f64;
     let place = |p: &Vec3<S>| {
         let p = p.to_array();
         three(|i| p[i].place(&grid.0[i]))
     };
     match aabb.form() {
-        AabbForm::Corners { min, max } => Some([place(min), place(max)]),
+        AabbForm::Corners { min, max } => [place(min), place(max)],
         AabbForm::Center { center, half } => {
             let (c, h) = (place(center), half.to_array());
             let h = three(|i| h[i].length(&grid.0[i]));
-            let ends = [-1.0, 1.0].each(|sign| three(|i| c[i] + sign * h[i]));
-            c.iter().chain(&h).all(|x| x.abs() <= LONG).then_some(ends)
+            let is_known = |i: usize| c[i].abs() <= LONG && h[i].abs() <= LONG;
+            [-1.0, 1.0].each(|sign| {
+                three(|i| if is_known(i) { c[i] + sign * h[i] } else { sign * f64::INFINITY })
+            })
         }
     }
 }

@@ -70,7 +70,7 @@ impl<'a, S: Scalar, I: Index> Tree<'a, S, I> {
     /// tree's order, which [`order`](Self::order) returns for a tree that was built.
     ///
     /// *Panics*: never. *Cost*: checks for each node and each triangle that the boxes enclose it.
-    /// This refuses a damaged table, or a table of another mesh.
+    /// This refuses each table with which an answer might be wrong, as of another mesh.
     ///
     /// # Errors
     /// [`MeshError::Length`] unless `nodes` has [`Node::count_for`] elements; [`MeshError::Node`]
@@ -196,7 +196,8 @@ impl<'a, 's, S: Scalar, I: Index> TreeBuilder<'a, 's, S, I> {
     }
 
     /// Looks at about as many triangles as `triangles` says, at least one, and returns whether the
-    /// tree is finished. All steps together look at each triangle 40 to 100 times.
+    /// tree is finished. All steps together look at each triangle some 20 to 50 times, and at most
+    /// some 120 times in meshes of up to 50,000 triangles of which many have the same middle.
     ///
     /// *Panics*: never.
     pub fn advance(&mut self, triangles: usize) -> bool {

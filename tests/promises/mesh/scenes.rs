@@ -128,6 +128,11 @@ pub(super) fn all<S: Sample>() -> Vec<Scene<S>> {
             rng.real(-9.0, 9.0) * 2_f64.powi(if S::WHOLE_BITS > 40 { -30 } else { -146 })
         })
     });
+    // Everything else is countless steps of their grids away.
+    soup("floor at zero", 60, &mut |rng, _| [rng.real(-unit, unit), 0.0, rng.real(-unit, unit)]);
+    soup("residues of a turn", 60, &mut |rng, _| {
+        [rng.real(-unit, unit), rng.real(-unit, unit), 6e-17 * rng.real(-1.0, 1.0)]
+    });
     scenes
 }
 
