@@ -157,9 +157,11 @@ fn usual_cell(triangles: &[[[f64; 3]; 3]]) -> Result<f64, String> {
         greatest - least
     };
     let longest = side(0).max(side(1)).max(side(2));
-    if longest > 0.0 {
-        Ok((longest / 64.0).log2().floor().exp2())
-    } else {
-        Err("the mesh is a single point: say how large the boxes are, by --cell".into())
+    if longest == 0.0 {
+        return Err("the mesh is a single point: say how large the boxes are, by --cell".into());
     }
+    if !longest.is_finite() {
+        return Err("the mesh is too large: its longest side is beyond f64".into());
+    }
+    Ok((longest / 64.0).log2().floor().exp2())
 }

@@ -22,9 +22,9 @@ const ASSETS = { 'teapot.obj': fileURLToPath(new URL('../assets/teapot.obj', imp
 export function serve(further, port) {
     const files = { ...ASSETS, ...further };
     const server = createServer(async (request, response) => {
-        const { pathname } = new URL(request.url, 'http://localhost');
-        const name = pathname.endsWith('/') ? `${pathname}index.html` : pathname;
         try {
+            const { pathname } = new URL(request.url, 'http://localhost');
+            const name = pathname.endsWith('/') ? `${pathname}index.html` : pathname;
             const bytes = await readFile(files[name.slice(1)] ?? join(PACKAGE.test(normalize(name)) ? REPOSITORY : FOLDER, normalize(name)));
             response.writeHead(200, {
                 'content-type': TYPES[extname(name)] ?? 'application/octet-stream',

@@ -114,6 +114,7 @@ where
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[repr(transparent)]
 pub struct InteriorEdges(u8);
 
 impl InteriorEdges {

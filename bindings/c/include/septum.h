@@ -125,7 +125,8 @@ typedef struct {
 
 // When a moving box first meets a triangle. `t` is the part of the motion until then, from 0 to 1;
 // in a type that ends below 1 the greatest number. `normal` is the outward normal of the obstacle,
-// of any length. `axis` is 0, with a normal of zero, if they meet at the start; 1 to 3 for the
+// of any length; in fixed point it is rounded, and wraps where the product of two edges is beyond the
+// type. `axis` is 0, with a normal of zero, if they meet at the start; 1 to 3 for the
 // faces of the box, 4 for the triangle's normal, and 5 + 3·i + k for coordinate axis i × edge k.
 typedef struct {
   septum_i8f8 t;
@@ -238,7 +239,8 @@ typedef struct {
 
 // When a moving box first meets a triangle. `t` is the part of the motion until then, from 0 to 1;
 // in a type that ends below 1 the greatest number. `normal` is the outward normal of the obstacle,
-// of any length. `axis` is 0, with a normal of zero, if they meet at the start; 1 to 3 for the
+// of any length; in fixed point it is rounded, and wraps where the product of two edges is beyond the
+// type. `axis` is 0, with a normal of zero, if they meet at the start; 1 to 3 for the
 // faces of the box, 4 for the triangle's normal, and 5 + 3·i + k for coordinate axis i × edge k.
 typedef struct {
   septum_i16f16 t;
@@ -348,7 +350,8 @@ typedef struct {
 
 // When a moving box first meets a triangle. `t` is the part of the motion until then, from 0 to 1;
 // in a type that ends below 1 the greatest number. `normal` is the outward normal of the obstacle,
-// of any length. `axis` is 0, with a normal of zero, if they meet at the start; 1 to 3 for the
+// of any length; in fixed point it is rounded, and wraps where the product of two edges is beyond the
+// type. `axis` is 0, with a normal of zero, if they meet at the start; 1 to 3 for the
 // faces of the box, 4 for the triangle's normal, and 5 + 3·i + k for coordinate axis i × edge k.
 typedef struct {
   float t;
@@ -458,7 +461,8 @@ typedef struct {
 
 // When a moving box first meets a triangle. `t` is the part of the motion until then, from 0 to 1;
 // in a type that ends below 1 the greatest number. `normal` is the outward normal of the obstacle,
-// of any length. `axis` is 0, with a normal of zero, if they meet at the start; 1 to 3 for the
+// of any length; in fixed point it is rounded, and wraps where the product of two edges is beyond the
+// type. `axis` is 0, with a normal of zero, if they meet at the start; 1 to 3 for the
 // faces of the box, 4 for the triangle's normal, and 5 + 3·i + k for coordinate axis i × edge k.
 typedef struct {
   double t;

@@ -153,8 +153,21 @@ public:
     using triangle = std::array<index, 3>;
 
     mesh() = default;
-    mesh(mesh &&) = default;
-    mesh &operator=(mesh &&) = default;
+    // What was moved from is empty: its tree would point to memory of the other.
+    mesh(mesh &&other) noexcept
+        : vertices_(std::move(other.vertices_)), triangles_(std::move(other.triangles_)),
+          nodes_(std::move(other.nodes_)), order_(std::move(other.order_)),
+          interior_(std::move(other.interior_)), tree_(std::exchange(other.tree_, {})) {}
+    mesh &operator=(mesh &&other) noexcept {
+        mesh moved(std::move(other));
+        vertices_.swap(moved.vertices_);
+        triangles_.swap(moved.triangles_);
+        nodes_.swap(moved.nodes_);
+        order_.swap(moved.order_);
+        interior_.swap(moved.interior_);
+        std::swap(tree_, moved.tree_);
+        return *this;
+    }
 
     // The error, if it is one, says what is wrong with the mesh.
     static found<mesh> build(std::vector<point<S>> vertices, std::vector<triangle> triangles) {

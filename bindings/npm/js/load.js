@@ -10,7 +10,7 @@ function bytesOf(text) {
 
 /** The bytes that a module of JavaScript holds. */
 async function unpacked([length, packed]) {
-    const stream = new Blob([bytesOf(packed)]).stream().pipeThrough(new DecompressionStream('deflate-raw'));
+    const stream = new Blob([bytesOf(packed)]).stream().pipeThrough(new DecompressionStream('deflate'));
     const bytes = await new Response(stream).arrayBuffer();
     if (bytes.byteLength !== length) throw new Error('septum: the WebAssembly is damaged');
     return new Uint8Array(bytes);

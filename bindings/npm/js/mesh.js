@@ -115,7 +115,7 @@ export class Mesh {
         const position = geometry?.attributes?.position;
         if (position === undefined) throw new TypeError(`geometry is ${shown(geometry)}, not a BufferGeometry with the attribute position`);
         let { array } = position;
-        if (position.isInterleavedBufferAttribute || position.normalized) {
+        if (position.isInterleavedBufferAttribute || position.normalized || position.isFloat16BufferAttribute) {
             array = new Float32Array(3 * position.count);
             for (let i = 0; i < position.count; i += 1) array.set([position.getX(i), position.getY(i), position.getZ(i)], 3 * i);
         } else if (position.itemSize !== 3) {
@@ -356,7 +356,9 @@ export class Mesh {
 
     #pairs(other, limit) {
         if (!(other instanceof Mesh)) throw new TypeError(`other is ${shown(other)}, not a Mesh`);
-        return module().pairs(this.#here, other.#here, limit) >>> 0;
+        const count = module().pairs(this.#here, other.#here, limit) >>> 0;
+        if (count === 0xffff_ffff) throw new RangeError('there is no memory for so many pairs');
+        return count;
     }
 
     /** The first triangle that a box meets on its way by `motion`, or null. */

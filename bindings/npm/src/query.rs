@@ -269,8 +269,11 @@ extern "C" fn sphere_cast(
     })
 }
 
+/// There is no memory for so many pairs.
+const NO_ROOM: usize = usize::MAX;
+
 /// Lists at most `limit` pairs of triangles of two meshes that overlap, and returns how many it
-/// lists.
+/// lists, or [`NO_ROOM`].
 #[unsafe(export_name = "pairs")]
 extern "C" fn pairs(first: usize, second: usize, limit: usize) -> usize {
     let meshes = lock(&MESHES);
@@ -281,11 +284,20 @@ extern "C" fn pairs(first: usize, second: usize, limit: usize) -> usize {
     };
     let mut list = lock(&LIST);
     list.clear();
+    let mut has_room = true;
     if limit > 0 {
         let _ = first.as_tree().overlapping_pairs(&second.as_tree(), |i, k| {
+            has_room = list.try_reserve(2).is_ok();
+            if !has_room {
+                return ControlFlow::Break(());
+            }
             list.extend([i as u32, k as u32]);
             if list.len() / 2 >= limit { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         });
+    }
+    if !has_room {
+        *list = Vec::new();
+        return NO_ROOM;
     }
     list.len() / 2
 }

@@ -116,7 +116,7 @@ test('many rays and points are the same as one by one', () => {
     assert.deepEqual(mesh.containsMany([]), new Uint8Array(0));
 });
 
-test('a geometry of three.js, indexed, not indexed, or interleaved', () => {
+test('a geometry of three.js, indexed, not indexed, interleaved, or of half floats', () => {
     const soup = Float32Array.from([...faces].flatMap((i) => [...corners.subarray(3 * i, 3 * i + 3)]));
     const position = (array) => ({ array, itemSize: 3, count: array.length / 3, normalized: false });
     const mixed = {
@@ -127,6 +127,7 @@ test('a geometry of three.js, indexed, not indexed, or interleaved', () => {
         { attributes: { position: position(corners) }, index: { array: faces } },
         { attributes: { position: position(soup) }, index: null },
         { attributes: { position: mixed }, index: null },
+        { attributes: { position: { ...mixed, isInterleavedBufferAttribute: false, isFloat16BufferAttribute: true } }, index: null },
     ]) {
         const mesh = Mesh.fromGeometry(geometry);
         assert.equal(mesh.triangleCount, 4);

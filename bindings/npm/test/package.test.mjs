@@ -11,7 +11,7 @@ import { fileURLToPath } from 'node:url';
 const root = fileURLToPath(new URL('..', import.meta.url));
 const compiler = join(root, 'node_modules/typescript/bin/tsc');
 /** The most bytes of the package. */
-const MOST = 249_500;
+const MOST = 251_000;
 
 const PROGRAM = `
 import { init, inSteps, Mesh, type Hit, type Voxels } from 'septum';

@@ -7,7 +7,7 @@ use ::gltf::accessor::{Accessor, DataType, Dimensions};
 use ::gltf::buffer::Source;
 use ::gltf::mesh::Mode;
 use ::gltf::scene::Node;
-use ::gltf::{Gltf, Primitive, Semantic};
+use ::gltf::{Document, Gltf, Primitive, Semantic};
 use base64::prelude::{BASE64_STANDARD, Engine};
 
 use crate::mesh::Triangles;
@@ -20,13 +20,24 @@ const IDENTITY: Matrix =
 /// Deeper nodes are taken for an attack.
 const DEEPEST: usize = 256;
 
+/// More zeros that the file does not hold are taken for one as well.
+const MOST_ZEROS: usize = 1 << 24;
+
 /// Reads a .glb, or a .gltf with its buffers inside, or in files beside its path.
 pub(crate) fn read(bytes: &[u8], path: Option<&Path>) -> Result<Triangles, Box<dyn Error>> {
-    let file = Gltf::from_slice(bytes).map_err(|e| format!("not a valid glTF file: {e}"))?;
+    let broken = |e| format!("not a valid glTF file: {e}");
+    let Gltf { document, blob } = Gltf::from_slice_without_validation(bytes).map_err(broken)?;
+    let json = document.into_json();
+    // The library would look for the positions before it checks their index.
+    let attributes = || json.meshes.iter().flat_map(|mesh| &mesh.primitives).map(|p| &p.attributes);
+    if attributes().flat_map(|all| all.values()).any(|of| of.value() >= json.accessors.len()) {
+        return Err("not a valid glTF file: an attribute of a mesh has no accessor".into());
+    }
+    let file = Document::from_json(json).map_err(broken)?;
     let mut buffers = Vec::new();
     for buffer in file.buffers() {
         let data = match buffer.source() {
-            Source::Bin => file.blob.clone().ok_or("the .glb has no binary part")?,
+            Source::Bin => blob.clone().ok_or("the .glb has no binary part")?,
             Source::Uri(uri) => match (uri.strip_prefix("data:"), path) {
                 (Some(data), _) => in_text(data)?,
                 (None, Some(path)) => {
@@ -170,6 +181,10 @@ fn check(
         return Err(format!("the {what} of a mesh have a type that is not theirs"));
     }
     let size = accessor.size();
+    // Without a view all numbers are zero, but those given one by one.
+    if accessor.view().is_none() && accessor.count() > MOST_ZEROS {
+        return Err(format!("the {what} of a mesh are too many zeros"));
+    }
     let mut places = Vec::new();
     if let Some(view) = accessor.view() {
         let stride = view.stride().unwrap_or(size);
@@ -184,6 +199,9 @@ fn check(
     }
     let are_within = places.iter().all(|(view, offset, count, stride, size)| {
         let end = || {
+            if view.stride().is_some_and(|stride| stride < *size) {
+                return None;
+            }
             let last = count.checked_sub(1)?.checked_mul(*stride)?;
             let end = last.checked_add(*offset)?.checked_add(*size)?;
             (end <= view.length()).then(|| view.offset().checked_add(view.length()))?

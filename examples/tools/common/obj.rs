@@ -27,18 +27,36 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Triangles, Box<dyn Error>> {
     Ok(triangles)
 }
 
-/// The vertex and face lines of an OBJ file. Faces lose their texture and normal indices, so that
-/// an error in unused data does not refuse the file.
+/// The vertex and face lines of an OBJ file. Vertices lose their colours, and faces their texture and
+/// normal indices, so that an error in unused data does not refuse the file.
 fn geometry_of_obj(bytes: &[u8]) -> String {
     // Some editors begin a file with a mark of its order of bytes.
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
-    let text = String::from_utf8_lossy(bytes).replace("\\\r\n", " ").replace("\\\n", " ");
+    let text = String::from_utf8_lossy(bytes);
     let mut geometry = String::with_capacity(text.len());
-    for line in text.lines() {
-        let line = line.split('#').next().unwrap_or_default();
+    let mut begun = String::new();
+    // A last line that is to go on ends with the file.
+    for part in text.lines().chain([""]) {
+        // A comment ends with its line, also with one that is to go on.
+        let (part, goes_on) = match part.split_once('#') {
+            Some((part, _)) => (part, false),
+            None => part.strip_suffix('\\').map_or((part, false), |part| (part, true)),
+        };
+        begun.push_str(part);
+        if goes_on {
+            begun.push(' ');
+            continue;
+        }
+        let line = std::mem::take(&mut begun);
         let mut words = line.split_whitespace();
         match words.next() {
-            Some("v") => geometry.push_str(line.trim_start()),
+            Some("v") => {
+                let words: Vec<&str> = words.collect();
+                // A fourth number is a weight; more are a colour.
+                let count = if words.len() > 4 { 3 } else { words.len() };
+                geometry.push_str("v ");
+                geometry.push_str(&words[..count].join(" "));
+            }
             Some("f") => {
                 geometry.push('f');
                 for word in words {

@@ -53,7 +53,8 @@ pub(crate) fn place(
     if resolution > LONGEST_SIDE {
         return Err(format!("--resolution {resolution}: at most {LONGEST_SIDE} is allowed").into());
     }
-    let scaled = |x: f64| x * f64::from(resolution) / longest;
+    // The quotient may be a little more.
+    let scaled = |x: f64| (x * f64::from(resolution) / longest).min(f64::from(resolution));
     // A flat mesh lies in one layer of voxels.
     let size = extent.map(|e| scaled(e).ceil().max(1.0));
     let margin = [0, 1, 2].map(|i| (size[i] - scaled(extent[i])) / 2.0);

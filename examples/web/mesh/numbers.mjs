@@ -69,6 +69,10 @@ export async function eachLine(bytes, pause, take) {
     if (bytes.subarray(0, 1 << 12).includes(0)) throw new Broken('The file is not text.');
     const decoder = new TextDecoder();
     let [line, begun] = [0, ''];
+    const takeWords = (text, line) => {
+        const words = text.trim().split(/\s+/);
+        if (words[0] !== '') take(words, line);
+    };
     for (let from = 0; from < bytes.length;) {
         // To the end of a line, so that no letter is torn.
         const end = bytes.indexOf(NEWLINE, Math.min(from + PART, bytes.length - 1));
@@ -79,17 +83,17 @@ export async function eachLine(bytes, pause, take) {
         for (const part of lines) {
             line += 1;
             if (part.length > LONGEST) throw new Broken('The line is too long for a mesh.', line);
-            if (part.endsWith('\\')) {
+            // A comment ends with its line, also with one that is to go on.
+            const comment = part.indexOf('#');
+            if (comment < 0 && part.endsWith('\\')) {
                 begun += `${part.slice(0, -1)} `;
                 continue;
             }
-            const whole = begun + part;
+            takeWords(begun + (comment < 0 ? part : part.slice(0, comment)), line);
             begun = '';
-            const comment = whole.indexOf('#');
-            const words = (comment < 0 ? whole : whole.slice(0, comment)).trim().split(/\s+/);
-            if (words[0] !== '') take(words, line);
         }
         from = to;
         await pause(from / bytes.length);
     }
+    takeWords(begun, line);
 }

@@ -5,11 +5,11 @@ const CORNERS = Array.from({ length: 8 }, (_, k) => [k & 1, k >> 1 & 1, k >> 2 &
 const SIDES = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
 const TRIANGLES = SIDES.flatMap(([a, b, c, d]) => [[a, b, c], [a, c, d]]);
 
-/** As OBJ: quads, indices that count back, comments, a line in two, and what is not used. */
+/** As OBJ: quads, indices that count back, comments, lines that go on, and what is not used. */
 export const CUBE_OBJ = [
-    '# a cube', 'mtllib no.mtl', ...CORNERS.map((v) => `v ${v.join(' ')} # corner`), 'vt 0 0', 'vn nonsense',
+    '# a cube', 'mtllib no.mtl', ...CORNERS.map((v) => `v ${v.join(' ')} # corner\\`), 'vt 0 0', 'vn nonsense',
     ...SIDES.map((side, k) => (k % 2 ? `f ${side.map((i) => `${i - 8}//1`).join(' ')}` : `f ${side.slice(0, 2).map((i) => i + 1).join(' ')} \\\r\n ${side.slice(2).map((i) => `${i + 1}/1`).join(' ')}`)),
-].join('\r\n');
+].join('\r\n').concat('\\');
 
 const FACETS = TRIANGLES.map((t) => ['facet normal 0 0 0', 'outer loop', ...t.map((i) => `  vertex ${CORNERS[i].join(' ')}`), 'endloop', 'endfacet'].join('\n'));
 export const CUBE_TEXT = ['solid cube', ...FACETS, 'endsolid cube', ''].join('\n');

@@ -247,6 +247,7 @@ fn gltf_that_is_wrong_is_refused() {
     desk.write("sparse.gltf", gltf.replace(base, sparse));
     assert_eq!(desk.voxels("sparse.gltf -r 8"), desk.voxels("t.obj -r 8"));
     let more = sparse.replace(r#"{"count":3"#, r#"{"count":4"#);
+    let many = sparse.replace(r#"5126,"count":3"#, r#"5126,"count":68719476736"#);
     for (from, to, says) in [
         (base, &more[..], [positions, "beyond their buffer"]),
         (r#"5125,"count":3"#, r#"5125,"count":4"#, [indices, "beyond their buffer"]),
@@ -261,6 +262,9 @@ fn gltf_that_is_wrong_is_refused() {
         ("5125", "5126", [indices, "a type that is not theirs"]),
         ("VEC3", "VEC2", [positions, "a type that is not theirs"]),
         (r#"5126,"count":3"#, r#"5123,"count":3"#, [positions, "a type that is not theirs"]),
+        (r#""byteLength":36}"#, r#""byteLength":36,"byteStride":4}"#, [positions, "beyond"]),
+        (r#""POSITION":0"#, r#""POSITION":7"#, ["not a valid glTF", "has no accessor"]),
+        (base, &many[..], [positions, "too many zeros"]),
     ] {
         desk.write("wrong.gltf", gltf.replace(from, to));
         desk.fail("wrong.gltf", &["wrong.gltf", says[0], says[1]]);
@@ -278,6 +282,29 @@ fn two_methods_side_by_side() {
     assert_eq!((picture.info().width, picture.info().height), (1800, 700));
     let cut = desk.succeed("-r 24 --solid --cut -o b.png");
     assert!(desk.exists("b.png") && cut.contains("inside"), "{cut}");
+}
+
+/// Colours, and a comment that ends as a line that goes on.
+#[test]
+fn obj_loses_only_what_is_not_used() {
+    let desk = Desk::new("unused");
+    desk.write("t.obj", "v 0 0 0\nv 4 0 0\nv 0 3 1\nv 4 3 0\nf 1 2 3\nf 2 4 3\n");
+    desk.write(
+        "more.obj",
+        "# from c:\\\nv 0 0 0 1 0 0\nv 4 0 0\nv 0 3 1 1 0 0 0.5 # red\\\nv 4 3 \\\n 0\n# c:\\\nf 1 2 3\nf 2 \\\n4 3\\",
+    );
+    assert_eq!(desk.voxels("more.obj -r 8"), desk.voxels("t.obj -r 8"));
+}
+
+/// x·255/x is more than 255 for this length.
+#[test]
+fn the_longest_side_has_as_many_voxels_as_asked_for() {
+    let desk = Desk::new("longest");
+    desk.write("long.obj", "v 0 0 0\nv 92.725 0 0\nv 0 1 1\nf 1 2 3\n");
+    for resolution in [255, 127, 100] {
+        let report = desk.succeed(&format!("long.obj -r {resolution} -s i8f8 --no-picture"));
+        assert!(report.contains(&format!("{resolution} × ")), "{report}");
+    }
 }
 
 #[test]
