@@ -69,8 +69,13 @@ template <class S> static void meshes(S one, const char *type) {
     const std::vector<typename mesh::triangle> faces = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
     auto built = mesh::build(corners, faces);
     check(bool(built), "built", type);
-    // Moved, it is the same mesh.
-    const mesh solid = *std::move(built);
+    // Moved, it is the same mesh, and the other is empty.
+    mesh assigned;
+    assigned = *std::move(built);
+    check(built->contains({o, o, o}).answer() == SEPTUM_ANSWER_NOT_OPEN, "moved from", type);
+    check(built->triangles().empty(), "triangles moved", type);
+    const mesh solid = std::move(assigned);
+    check(assigned.contains({o, o, o}).answer() == SEPTUM_ANSWER_NOT_OPEN, "moved again", type);
     check(bool(solid.contains({h, h, h})) && !solid.contains({one, one, one}), "contains", type);
     const auto ray = septum::ray<S>({h, h, S(-one)}, {o, o, one});
     const auto hit = solid.first_hit(ray);

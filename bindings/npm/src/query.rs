@@ -296,7 +296,8 @@ extern "C" fn pairs(first: usize, second: usize, limit: usize) -> usize {
         });
     }
     if !has_room {
-        *list = Vec::new();
+        list.clear();
+        list.shrink_to_fit();
         return NO_ROOM;
     }
     list.len() / 2
