@@ -19,7 +19,7 @@
 
 use core::ops::Mul;
 
-use crate::arithmetic::{Arithmetic, Number, greatest};
+use crate::arithmetic::{Arithmetic, Number, REGISTERS_ARE_WIDE, greatest};
 
 const DIRECTION: u16 = 40;
 const FACE: u16 = 160;
@@ -54,9 +54,12 @@ impl<P: Number + Mul<Output = P>> Sizes<P> {
     ///
     /// On one coordinate axis the point at t is at least |t|·D − |m| from the centre, and the box
     /// reaches at most 3·h·A. Both together are below four times [`near`](Self::near), and eight
-    /// covers the roundings.
+    /// covers the roundings. Small cores save the code.
     #[inline(always)]
     pub(super) fn without_far(&self, ends: [Option<P>; 2], one: P) -> [Option<P>; 2] {
+        if !REGISTERS_ARE_WIDE {
+            return ends;
+        }
         let two = self.near(one) + self.near(one);
         let eight = two + two + (two + two);
         if self.direction * self.ends > eight {

@@ -123,6 +123,7 @@ fn reaches<Q: Quad<Lane: Float>>(x: Q, error: Q::Lane) -> Uncertain<u32> {
 #[cfg(all(test, not(feature = "small")))]
 mod tests {
     use super::*;
+    use crate::arithmetic::REGISTERS_ARE_WIDE;
     use crate::query::obb_rows::tests::Numbers;
     use crate::robust::Predicate;
     use crate::shape::{Ray, Segment};
@@ -186,6 +187,6 @@ mod tests {
             }
             in_doubt += u32::from(found.is_none() && end > 1e6 && n % 3 != 2);
         }
-        assert!(in_doubt < 20, "{in_doubt}");
+        assert!(!REGISTERS_ARE_WIDE || in_doubt < 20, "{in_doubt}");
     }
 }
