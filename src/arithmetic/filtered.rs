@@ -45,11 +45,12 @@ pub(super) fn compare_quotient<F: Float>(
     if gap.magnitude() > error && product.magnitude() < infinity {
         return gap.partial_cmp(&F::ZERO);
     }
-    // Small cores save the code.
     if !REGISTERS_ARE_WIDE {
+        // Small cores save the code.
         return None;
     }
-    // A product beyond the type, as of the greatest number, exceeds a numerator of half its greatest.
+    // The least that the product may be is beyond the type, as with the greatest number for t. But for
+    // three roundings it is so in truth, and a numerator of at most half the greatest number is less.
     let least = t.magnitude() * (den.magnitude() - clearance * den_error);
     let is_beyond = least == infinity && clearance * (num.magnitude() + num_error) < infinity;
     if is_beyond { F::ZERO.partial_cmp(&product) } else { None }

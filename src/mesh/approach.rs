@@ -4,17 +4,21 @@
 //! # Why no box is excluded that has a point within the limit
 //!
 //! In floats the point is converted once to the grid of the tree, as is a ray: see
-//! [`descent`](super::descent). On each axis its place o is shifted by 8u·(2¹⁶ + |o|) toward the box,
-//! with u = 2⁻²⁴, which exceeds what o and its difference from a corner are rounded by. So the gap
-//! is not above the true gap. It is multiplied by the step of the axis over the greatest step, a
-//! power of two; of a flat mesh, by a greater one. The square and the sum err by less than 8u of themselves, and the limit is 16u of
+//! [`grid_ray`](super::grid_ray). On each axis its place o is shifted by 8u·(2¹⁶ + |o|) toward the
+//! box, with u = 2⁻²⁴, which exceeds what o and its difference from a corner are rounded by. So the
+//! gap is not above the true gap. It is multiplied by the step of the axis over the greatest step, a
+//! power of two. The square and the sum err by less than 8u of themselves, and the limit is 16u of
 //! itself above the distance.
+//!
+//! On an axis with far shorter steps than another, as of a flat mesh, o is counted in longer steps.
+//! All planes then lie within one step, and stand for up to 2¹⁶, by which o is shifted too.
 
 use core::cmp::Ordering;
 
-use super::descent::{Descend, Met};
 use super::from_origin::{beyond_box, enclosing};
+use super::grid_ray::{FAR, shift};
 use super::node::{Grid, Node};
+use super::walk::{Descend, Met};
 use crate::arithmetic::{Each, OfFour, Quad, least, three};
 use crate::scalar::Scalar;
 use crate::shape::Triangle;
@@ -75,23 +79,20 @@ pub(super) struct InFloats<S> {
 
 impl<S: Scalar> InFloats<S> {
     pub(super) fn new(grid: &Grid<S>, p: [S; 3], within: Option<S>) -> Self {
-        const SHIFT: f64 = 8.0 / (1 << 24) as f64;
-        const POINTS: f64 = (1 << 16) as f64;
-        const FAR: f64 = (1_u64 << 60) as f64;
         const FINEST: f64 = 1.0 / (1_u64 << 40) as f64;
+        const PLANES: f64 = (1 << 16) as f64;
         let steps = three(|i| S::steps_per_unit(&grid.0[i]));
         let per_unit = least(least(steps[0], steps[1]), steps[2]);
         let (mut low, mut high, mut step) = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3], [0.0; 3]);
         for i in 0..3 {
             let (mut o, mut ratio) = (p[i].place(&grid.0[i]), per_unit / steps[i]);
-            let mut shift = 0.0;
+            let mut beside = 0.0;
             if ratio < FINEST {
-                // As of a flat mesh. In longer steps all planes lie within one.
-                (o, ratio, shift) = (o * (ratio / FINEST), FINEST, POINTS);
+                (o, ratio, beside) = (o * (ratio / FINEST), FINEST, PLANES);
             }
             // An axis on which the point is farther out excludes no box.
             if o.abs() * ratio <= FAR {
-                shift += SHIFT * (POINTS + o.abs());
+                let shift = shift(o) + beside;
                 (low[i], high[i]) = ((o + shift) as f32, (o - shift) as f32);
                 step[i] = ratio as f32;
             }

@@ -50,6 +50,7 @@ mod closed;
 mod descent;
 mod error;
 mod from_origin;
+mod grid_ray;
 mod moving_box;
 #[cfg(feature = "fixed")]
 mod near;

@@ -1,8 +1,10 @@
 //! A moving box on its way down a tree.
 
-use super::descent::{Descend, GridRay, Met, along_octant};
+use super::descent::along_octant;
+use super::grid_ray::GridRay;
 use super::node::{Cell, Grid, Node};
 use super::overlapping::sealed::Bounded;
+use super::walk::{Descend, Met};
 use crate::arithmetic::{Each, three};
 use crate::query::{Motion, Sweep};
 use crate::scalar::Scalar;

@@ -2,10 +2,10 @@
 
 use core::ops::{ControlFlow, Range};
 
+use super::descent::Descent;
 use super::descent::sealed::Cast;
-use super::descent::{Descend, Descent};
 use super::node::Node;
-use super::walk::{Walk, descend};
+use super::walk::{Descend, Walk, descend};
 use super::{Index, Tree};
 use crate::arithmetic::REGISTERS_ARE_WIDE;
 use crate::query::{Feature, Hit, HitRules, clear_misses};

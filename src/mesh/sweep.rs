@@ -4,10 +4,9 @@ use core::ops::ControlFlow;
 
 use super::boxes::is_before;
 use super::build::Leaves;
-use super::descent::{Descend, Met};
 use super::moving_box::{Moving, meets_at};
 use super::node::Node;
-use super::walk::descend;
+use super::walk::{Descend, Met, descend};
 use super::{Index, Tree};
 use crate::query::{Feature, FirstContact, Motion, Relation, SphereContact, Sweep};
 use crate::scalar::Scalar;

@@ -196,8 +196,8 @@ impl<'a, 's, S: Scalar, I: Index> TreeBuilder<'a, 's, S, I> {
     }
 
     /// Looks at about as many triangles as `triangles` says, at least one, and returns whether the
-    /// tree is finished. All steps together look at each triangle some 20 to 50 times, and at most
-    /// some 120 times in meshes of up to 50,000 triangles of which many have the same middle.
+    /// tree is finished. All steps together look at each triangle some dozens of times, and more often
+    /// if many have the same middle.
     ///
     /// *Panics*: never.
     pub fn advance(&mut self, triangles: usize) -> bool {

@@ -2,9 +2,24 @@
 
 use core::ops::{ControlFlow, Range};
 
-use super::descent::{Descend, Met};
 use super::node::{LEVELS, Layout, Node};
 use crate::arithmetic::REGISTERS_ARE_WIDE;
+
+/// The children of a node that the ray meets, and the order in which it reaches them.
+pub(super) struct Met {
+    /// Bit k stands for child k.
+    pub(super) mask: u32,
+    /// A sort key: lesser means sooner. Keys below zero need no order among themselves.
+    pub(super) sooner: [i32; 4],
+}
+
+/// A moving object that descends a tree in the order in which it reaches the boxes.
+pub(super) trait Descend {
+    /// The boxes of a node that the object meets.
+    fn meets(&self, node: &Node) -> Met;
+    /// Whether a child with this key may still be met.
+    fn reaches(&self, sooner: i32) -> bool;
+}
 
 /// A walk through the leaves of a tree, from left to right.
 ///

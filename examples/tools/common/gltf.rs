@@ -197,11 +197,11 @@ fn check(
         places.push((indices.view(), indices.offset(), count, of_index, of_index));
         places.push((values.view(), values.offset(), count, size, size));
     }
+    if places.iter().any(|(view, .., size)| view.stride().is_some_and(|stride| stride < *size)) {
+        return Err(format!("the {what} of a mesh lie one in another"));
+    }
     let are_within = places.iter().all(|(view, offset, count, stride, size)| {
         let end = || {
-            if view.stride().is_some_and(|stride| stride < *size) {
-                return None;
-            }
             let last = count.checked_sub(1)?.checked_mul(*stride)?;
             let end = last.checked_add(*offset)?.checked_add(*size)?;
             (end <= view.length()).then(|| view.offset().checked_add(view.length()))?

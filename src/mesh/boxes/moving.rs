@@ -4,8 +4,9 @@ use core::ops::ControlFlow;
 
 use super::BoxTree;
 use crate::mesh::Index;
-use crate::mesh::descent::{Descend, Descent};
+use crate::mesh::descent::Descent;
 use crate::mesh::moving_box::{Moving, meets_at};
+use crate::mesh::walk::Descend;
 use crate::mesh::walk::descend;
 use crate::query::{FirstContact, Motion, Sweep};
 use crate::scalar::Scalar;

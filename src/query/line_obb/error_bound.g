@@ -4,7 +4,7 @@
 # constant: LINE
 #
 # Proved: |computed − true| is at most the bound as it is computed, underflow included; and nothing
-# overflows.
+# overflows. Besides, |t|·D of a point in the box is at most eight times R as computed.
 #
 # Axes are divided by A, which is 1 or more, the direction by D. On a face the way m is divided by
 # T, half-extents by T/A and t by T/D; beside the line R is in the place of T. All three are in
@@ -66,6 +66,10 @@ beside_abs = |Beside| + s4*(beside - Beside); Beside_abs = |Beside| + o;
 span = fl(fl(h*two_abs, z36), fl(k*one_abs, z37)); Span = (h*Two_abs + o) + (k*One_abs + o);
 gap = fl(beside_abs, -span); Gap = Beside_abs + -Span;
 
+# A point in the box, for an end of t that is far. All are divided by R: in truth |m| and h·A may be
+# 1 + 4·U, and the point is nearer to the centre than the box reaches.
+out = fl(way + 3*wide - nearer, z48);
+
 direction_bound = fl(DIRECTION*U*fl(fl(1, z38), z39), z40);
 face_bound = fl(FACE*U*fl(fl(1, z41), z42), z43);
 line_bound = fl(LINE*U*fl(fl(fl(1, z44), z45), z46), z47);
@@ -83,8 +87,10 @@ line_bound = fl(LINE*U*fl(fl(fl(1, z44), z45), z46), z47);
 /\ |z40| <= LOST1 /\ |z42| <= LOST1 /\ |z43| <= LOST1 /\ |z45| <= LOST1 /\ |z27| <= LOST2
 /\ |z28| <= LOST2 /\ |z29| <= LOST2 /\ |z30| <= LOST2 /\ |z31| <= LOST2 /\ |z32| <= LOST2
 /\ |z33| <= LOST2 /\ |z34| <= LOST2 /\ |z35| <= LOST2 /\ |z36| <= LOST2 /\ |z37| <= LOST2
-/\ |z46| <= LOST2 /\ |z47| <= LOST2
+/\ |z46| <= LOST2 /\ |z47| <= LOST2 /\ |z48| <= LOST2
+/\ way in [0,UP4] /\ wide in [0,UP4] /\ nearer in [0,4]
 -> |one - One| - direction_bound <= 0
 /\ |face - Face| - face_bound <= 0
 /\ |gap - Gap| - line_bound <= 0
+/\ out <= 8
 /\ |one| <= ROOM1 /\ |face| <= ROOM1 /\ |gap| <= ROOM2 }

@@ -50,27 +50,22 @@ impl<P: Number + Mul<Output = P>> Sizes<P> {
     }
 
     /// The ends of the range, without those so far beyond the box that the line does not come back
-    /// to it: products with the greatest number are beyond floats.
+    /// to it: products with the greatest number are beyond floats. Small cores keep all, because a
+    /// product takes long there.
     ///
     /// On one coordinate axis the point at t is at least |t|·D − |m| from the centre, and the box
-    /// reaches at most 3·h·A. Both together are below four times [`near`](Self::near), and eight
-    /// covers the roundings. Small cores save the code.
+    /// reaches at most 3·h·A. Both together are at most four times [`near`](Self::near), but for
+    /// roundings. `error_bound.g` proves that |t|·D of a point in the box is never computed as more
+    /// than eight times as much.
     #[inline(always)]
-    pub(super) fn without_far(&self, ends: [Option<P>; 2], one: P) -> [Option<P>; 2] {
+    pub(super) fn without_far(&self, [from, to]: [Option<P>; 2], one: P) -> [Option<P>; 2] {
         if !REGISTERS_ARE_WIDE {
-            return ends;
+            return [from, to];
         }
         let two = self.near(one) + self.near(one);
         let eight = two + two + (two + two);
-        if self.direction * self.ends > eight {
-            let [from, to] = ends;
-            let is_near = |t: &P| self.direction * t.magnitude() <= eight;
-            return [
-                from.filter(|t| *t >= P::ZERO || is_near(t)),
-                to.filter(|t| *t <= P::ZERO || is_near(t)),
-            ];
-        }
-        ends
+        let is_near = |t: &P| self.direction * t.magnitude() <= eight;
+        [from.filter(|t| *t >= P::ZERO || is_near(t)), to.filter(|t| *t <= P::ZERO || is_near(t))]
     }
 }
 

@@ -84,8 +84,8 @@ impl<S: Scalar> Ray<S> {
     /// the edges it takes exact integers. On 32-bit cores a hit costs more than a miss: on a
     /// Cortex-M4F 8 times as much in `f32`, whose t, u and v need integers (`docs/target.csv`), and 50
     /// times as much if a coordinate is no multiple of 2⁻²⁸ of the greatest. A ray exactly through an
-    /// edge takes integers, unless the coordinates are short. [`is_hit`](Self::is_hit) saves the divisions, and
-    /// [`lanes::Triangles`](crate::lanes::Triangles) tests several triangles at once.
+    /// edge takes integers, unless the coordinates are short. [`is_hit`](Self::is_hit) saves the
+    /// divisions, and [`lanes::Triangles`](crate::lanes::Triangles) tests several triangles at once.
     ///
     /// *Source*: Möller and Trumbore 1997; the sign test, the error bound and the exact stages are
     /// ours.

@@ -262,7 +262,11 @@ fn gltf_that_is_wrong_is_refused() {
         ("5125", "5126", [indices, "a type that is not theirs"]),
         ("VEC3", "VEC2", [positions, "a type that is not theirs"]),
         (r#"5126,"count":3"#, r#"5123,"count":3"#, [positions, "a type that is not theirs"]),
-        (r#""byteLength":36}"#, r#""byteLength":36,"byteStride":4}"#, [positions, "beyond"]),
+        (
+            r#""byteLength":36}"#,
+            r#""byteLength":36,"byteStride":4}"#,
+            [positions, "one in another"],
+        ),
         (r#""POSITION":0"#, r#""POSITION":7"#, ["not a valid glTF", "has no accessor"]),
         (base, &many[..], [positions, "too many zeros"]),
     ] {
