@@ -25,6 +25,7 @@ extern size_t qemu_plugin_tb_n_insns(const struct block *);
 extern struct instruction *qemu_plugin_tb_get_insn(const struct block *, size_t);
 extern uint64_t qemu_plugin_insn_vaddr(const struct instruction *);
 extern const void *qemu_plugin_insn_data(const struct instruction *);
+extern size_t qemu_plugin_insn_size(const struct instruction *);
 extern const char *qemu_plugin_insn_symbol(const struct instruction *);
 extern void qemu_plugin_register_vcpu_syscall_cb(plugin_id, void (*)(plugin_id, unsigned, int64_t, uint64_t, uint64_t,
                                                                      uint64_t, uint64_t, uint64_t, uint64_t, uint64_t,
@@ -140,7 +141,8 @@ static void translated(plugin_id id, struct block *block) {
         known->address = qemu_plugin_insn_vaddr(instruction);
         known->symbol = kept(symbol ? symbol : "?");
         known->asks = strstr(known->symbol, "ask_all") != NULL;
-        known->logs = code[0] == 0xbeab;
+        /* The low half of an instruction of AArch64 may have these bits too. */
+        known->logs = code[0] == 0xbeab && qemu_plugin_insn_size(instruction) == 2;
         weigh(known, code[0], code[1]);
         qemu_plugin_register_vcpu_insn_exec_cb(instruction, step, 0, known);
     }
